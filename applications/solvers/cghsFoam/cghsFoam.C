@@ -1,0 +1,158 @@
+/*---------------------------------------------------------------------------*\
+    cghsFoam | coarse-grained hard spheres in OpenFOAM
+    GPL-3.0-or-later, see LICENSE
+-------------------------------------------------------------------------------
+Application
+    cghsFoam
+
+Description
+    Transient solver for fluidised beds: an incompressible fluid in the
+    voidage of parcels that truly collide (coarse-grained, time-driven hard
+    spheres with correction), see doc/theory.md.
+
+Usage
+    cghsFoam [-cloud name]
+
+    The cloud is called parcels unless named, its properties are in
+    constant/<name>Properties. With  coupling none;  there, no fluid is read
+    or solved.
+
+\*---------------------------------------------------------------------------*/
+
+#include "fvCFD.H"
+#include "profiling.H"
+#include "cghsCloud.H"
+#include "incompressibleFluid.H"
+#include "checkedEntry.H"
+#include "progress.H"
+#include "stepReport.H"
+
+using namespace Foam::cghs;
+
+int main(int argc, char *argv[])
+{
+    argList::addNote
+    (
+        "Transient solver for fluidised beds of colliding, coarse-grained"
+        " parcels in an incompressible fluid."
+    );
+    argList::addOption("cloud", "name", "name of the cloud, default parcels");
+
+    #include "setRootCaseLists.H"
+    #include "createTime.H"
+    #include "createMesh.H"
+    #include "createTimeControls.H"
+    #include "readGravitationalAcceleration.H"
+
+
+    // ---- The parcels ------------------------------------------------------
+
+    cghsCloud parcels(mesh, args.get<word>("cloud", "parcels"), g.value());
+
+    const bool withFluid = parcels.coupling() != cghsCloud::couplingType::none;
+    const bool twoWay = parcels.coupling() == cghsCloud::couplingType::twoWay;
+
+
+    // ---- The fluid, if there is one ---------------------------------------
+
+    autoPtr<incompressibleFluid> fluid;
+
+    if (withFluid)
+    {
+        fluid.reset
+        (
+            new incompressibleFluid
+            (
+                mesh,
+                g,
+                scalarInRange
+                (
+                    parcels.properties().subDict("solution"),
+                    "minVoidage",
+                    0.01,
+                    1
+                ),
+                twoWay ? parcels.solidsFraction() : parcels.noSolids()
+            )
+        );
+    }
+
+    stepReport report(parcels, runTime);
+    progress pace(runTime);
+
+    Info<< nl << "Starting time loop" << nl << endl;
+
+    while (runTime.run())
+    {
+        // ---- How long the step may be -------------------------------------
+
+        #include "readTimeControls.H"
+
+        if (withFluid)
+        {
+            const scalar CoNum = fluid->courantNumber();
+            #include "setDeltaT.H"
+        }
+
+        ++runTime;
+
+        Info<< "Time = " << runTime.timeName() << nl << endl;
+
+        const scalar deltaT = runTime.deltaTValue();
+
+
+        // ---- Parcels: suspension, contact, transport ----------------------
+
+        if (withFluid)
+        {
+            parcels.meetFluid
+            (
+                fluid->U(),
+                fluid->gradP(),
+                fluid->alpha(),
+                fluid->rho(),
+                fluid->mu()
+            );
+        }
+
+        parcels.evolve(deltaT);
+
+
+        // ---- Fluid: voidage, momentum, pressure ---------------------------
+
+        if (twoWay)
+        {
+            fluid->setSolids(parcels.solidsFraction());
+            fluid->solve(parcels.drag(deltaT), parcels.dragResponse());
+        }
+        else if (withFluid)
+        {
+            fluid->solve();
+        }
+
+
+        // ---- Parcels: what the fluid did with their impulse ---------------
+
+        if (withFluid)
+        {
+            parcels.completeStep(fluid->dU(), fluid->dGradP(), deltaT);
+        }
+
+
+        // ---- Report and write ---------------------------------------------
+
+        report.write(Info, fluid);
+        pace.report(Info);
+
+        if (runTime.write())
+        {
+            parcels.startAfresh();
+        }
+
+        runTime.printExecutionTime(Info);
+    }
+
+    Info<< "End" << nl << endl;
+
+    return 0;
+}

@@ -1,0 +1,146 @@
+/*---------------------------------------------------------------------------*\
+    cghsFoam | coarse-grained hard spheres in OpenFOAM
+    GPL-3.0-or-later, see LICENSE
+\*---------------------------------------------------------------------------*/
+
+#include "arena.H"
+#include "mathematicalConstants.H"
+#include "error.H"
+
+Foam::cghs::arena::arena(const bool spinning)
+:
+    size_(0),
+    spinning_(spinning)
+{
+    add(spheres);
+    add(motions);
+    add(weights);
+    add(diameters);
+    add(cells);
+    add(ids);
+
+    if (spinning_)
+    {
+        add(spins);
+    }
+}
+
+
+void Foam::cghs::arena::add(column& c)
+{
+    columns_.append(&c);
+    c.resize(size_);
+}
+
+
+Foam::scalar Foam::cghs::arena::volume(const label i) const
+{
+    return 4.0/3.0*constant::mathematical::pi*pow3(spheres[i].r);
+}
+
+
+Foam::scalar Foam::cghs::arena::density(const label i) const
+{
+    return 1/(motions[i].invMass*volume(i));
+}
+
+
+Foam::label Foam::cghs::arena::addGuests(const label n)
+{
+    const label first = spheres.size();
+
+    spheres.resize(first + n, sphere(Zero, 0));
+    motions.resize(first + n, motion(Zero, 0));
+
+    if (spinning_)
+    {
+        spins.resize(first + n, Zero);
+    }
+
+    return first;
+}
+
+
+void Foam::cghs::arena::dismissGuests()
+{
+    spheres.resize(size_);
+    motions.resize(size_);
+
+    if (spinning_)
+    {
+        spins.resize(size_);
+    }
+}
+
+
+Foam::label Foam::cghs::arena::append(const label n)
+{
+    const label first = size_;
+
+    size_ += n;
+    for (column* c : columns_)
+    {
+        c->resize(size_);
+    }
+
+    return first;
+}
+
+
+void Foam::cghs::arena::reorder(const UList<label>& order)
+{
+    size_ = order.size();
+    for (column* c : columns_)
+    {
+        c->select(order);
+    }
+}
+
+
+void Foam::cghs::arena::thin(const UList<bool>& keep)
+{
+    DynamicList<label> kept(size_);
+
+    for (label i = 0; i < size_; ++i)
+    {
+        if (keep[i])
+        {
+            kept.append(i);
+        }
+    }
+
+    reorder(kept);
+}
+
+
+void Foam::cghs::arena::pack(const UList<label>& which, Ostream& os) const
+{
+    for (const column* c : columns_)
+    {
+        c->pack(which, os);
+    }
+}
+
+
+void Foam::cghs::arena::unpack(Istream& is)
+{
+    for (column* c : columns_)
+    {
+        c->unpack(is);
+    }
+
+    size_ = ids.size();
+}
+
+
+std::size_t Foam::cghs::arena::bytesPerParcel() const
+{
+    std::size_t bytes = 0;
+
+    for (const column* c : columns_)
+    {
+        bytes += c->bytesPerEntry();
+    }
+
+    return bytes;
+}

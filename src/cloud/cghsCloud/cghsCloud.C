@@ -1,0 +1,483 @@
+/*---------------------------------------------------------------------------*\
+    cghsFoam | coarse-grained hard spheres in OpenFOAM
+    GPL-3.0-or-later, see LICENSE
+\*---------------------------------------------------------------------------*/
+
+#include "cghsCloud.H"
+#include "parcelFiles.H"
+#include "checkedEntry.H"
+#include "profiling.H"
+#include "calculatedFvPatchFields.H"
+#include "PstreamReduceOps.H"
+#include "Time.H"
+
+namespace Foam
+{
+namespace cghs
+{
+    defineTypeNameAndDebug(cghsCloud, 0);
+}
+}
+
+const Foam::Enum<Foam::cghs::cghsCloud::couplingType>
+Foam::cghs::cghsCloud::couplingNames
+({
+    { couplingType::none, "none" },
+    { couplingType::oneWay, "oneWay" },
+    { couplingType::twoWay, "twoWay" }
+});
+
+
+Foam::scalar Foam::cghs::census::granularTemperature() const
+{
+    return
+    (
+        cmptSum(meanSquare) - magSqr(meanVelocity)
+    )/3;
+}
+
+// * * * * * * * * * * * * * * * Construction  * * * * * * * * * * * * * * * //
+
+Foam::IOdictionary Foam::cghs::cghsCloud::readProperties
+(
+    const fvMesh& mesh,
+    const word& name
+)
+{
+    return IOdictionary
+    (
+        IOobject
+        (
+            name + "Properties",
+            mesh.time().constant(),
+            mesh,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+}
+
+
+Foam::direction Foam::cghs::cghsCloud::layerAxis(const vector& g)
+{
+    direction axis = 2;
+
+    for (const direction d : {0, 1})
+    {
+        if (mag(g[d]) > mag(g[axis]))
+        {
+            axis = d;
+        }
+    }
+
+    return axis;
+}
+
+
+Foam::scalar Foam::cghs::cghsCloud::largestDiameter() const
+{
+    scalar d = 0;
+
+    for (label i = 0; i < parcels_.size(); ++i)
+    {
+        d = max(d, 2*parcels_.spheres[i].r);
+    }
+
+    return returnReduce(d, maxOp<scalar>());
+}
+
+
+Foam::cghs::cghsCloud::cghsCloud
+(
+    const fvMesh& mesh,
+    const word& name,
+    const vector& g
+)
+:
+    cloud(mesh, name),
+    mesh_(mesh),
+    properties_(readProperties(mesh, name)),
+    coupling_(couplingNames.get("coupling", solution())),
+    g_(g),
+    maxDisplacement_(scalarInRange(solution(), "maxDisplacement", SMALL, 0.5)),
+    maxDeltaT_(positiveScalar(solution(), "maxDeltaT")),
+    contactModel_
+    (
+        contactModel::New
+        (
+            subModels(),
+            scalarInRange
+            (
+                properties_.subDict("constantProperties"),
+                "parcelWeight",
+                1,
+                GREAT
+            )
+        )
+    ),
+    parcels_(contactModel_->needsSpin()),
+    transport_(mesh, properties_.subDict("boundary")),
+    contacts_
+    (
+        std::move(contactModel_),
+        scalarInRange(solution(), "neighbourSkin", SMALL, 10),
+        mesh,
+        transport_.wallPatches(),
+        transport::periods(mesh),
+        layerAxis(g)
+    )
+{
+    if (coupling_ != couplingType::none)
+    {
+        suspension_.reset(new suspension(subModels(), g, mesh.nCells()));
+        parcels_.add(suspension_->rates());
+    }
+
+    readParcels(mesh, name, parcels_);
+
+    if (coupling_ != couplingType::none)
+    {
+        mapping_ = mappingModel::New(subModels(), mesh, largestDiameter());
+    }
+
+    state_ = transport_.survey(parcels_);
+}
+
+// * * * * * * * * * * * * * * * * The step  * * * * * * * * * * * * * * * * //
+
+Foam::scalar Foam::cghs::cghsCloud::solidsDeltaT() const
+{
+    return min(maxDeltaT_, maxDisplacement_*state_.diameterTime);
+}
+
+
+void Foam::cghs::cghsCloud::fall(const scalar deltaT)
+{
+    for (label i = 0; i < parcels_.size(); ++i)
+    {
+        parcels_.motions[i].v += deltaT*g_;
+    }
+}
+
+
+void Foam::cghs::cghsCloud::solidsStep
+(
+    const scalar deltaT,
+    const bool last,
+    const scalar fluidDeltaT
+)
+{
+    if (contacts_.needed() ? contacts_.stale() : state_.crossed)
+    {
+        transport_.settle(parcels_);
+
+        if (contacts_.needed())
+        {
+            contacts_.rebuild(parcels_);
+        }
+    }
+
+    {
+        addProfiling(suspension, "cghs::suspension");
+
+        if (suspension_.valid())
+        {
+            suspension_->kick(parcels_, deltaT, last, fluidDeltaT);
+        }
+        else
+        {
+            fall(deltaT);
+        }
+    }
+
+    if (contacts_.needed())
+    {
+        contacts_.resolve(parcels_, deltaT);
+    }
+
+    state_ = transport_.move(parcels_, deltaT);
+    contacts_.moved(state_.maxSpeed*deltaT);
+}
+
+
+void Foam::cghs::cghsCloud::evolve(const scalar deltaT)
+{
+    addProfiling(evolve, "cghs::evolve");
+
+    log_ = stepLog();
+    contacts_.resetLog();
+
+    if (suspension_.valid())
+    {
+        suspension_->startFluidStep();
+    }
+
+    scalar remaining = deltaT;
+
+    while (remaining > 0)
+    {
+        // Speeds change from one solids step to the next: so does their
+        // number, seen from each
+        const scalar n = ceil(remaining/solidsDeltaT() - SMALL);
+        const bool last = n <= 1;
+        const scalar dt = last ? remaining : remaining/n;
+
+        solidsStep(dt, last, deltaT);
+
+        remaining = last ? 0 : remaining - dt;
+        ++log_.nSolidsSteps;
+        log_.minDeltaT = min(log_.minDeltaT, dt);
+    }
+
+    log_.nListBuilds = contacts_.nBuilds();
+    log_.maxOverlap = returnReduce(contacts_.maxOverlap(), maxOp<scalar>());
+    log_.correctionWork =
+        returnReduce(contacts_.tally().correctionWork, sumOp<scalar>());
+}
+
+// * * * * * * * * * * * * * * * * The fluid * * * * * * * * * * * * * * * * //
+
+void Foam::cghs::cghsCloud::meetFluid
+(
+    const volVectorField& U,
+    const volVectorField& gradP,
+    const volScalarField& alpha,
+    const volScalarField& rho,
+    const volScalarField& mu
+)
+{
+    addProfiling(mapping, "cghs::mapping");
+
+    tmp<volVectorField> smoothU(smooth(U));
+    tmp<volVectorField> smoothGradP(smooth(gradP));
+
+    List<carrier>& carriers = suspension_->carriers();
+
+    forAll(carriers, celli)
+    {
+        carriers[celli] = carrier
+        {
+            smoothU()[celli],
+            smoothGradP()[celli],
+            alpha[celli],
+            rho[celli],
+            mu[celli]
+        };
+    }
+}
+
+
+Foam::tmp<Foam::volVectorField> Foam::cghs::cghsCloud::smooth
+(
+    const volVectorField& field
+) const
+{
+    // Coupled patches carry on; elsewhere nothing is passed anyway
+    auto result = tmp<volVectorField>::New
+    (
+        IOobject
+        (
+            "smooth(" + field.name() + ')',
+            mesh_.time().timeName(),
+            mesh_,
+            IOobject::NO_READ,
+            IOobject::NO_WRITE,
+            false
+        ),
+        mesh_,
+        dimensionedVector(field.dimensions(), Zero)
+    );
+
+    result.ref().primitiveFieldRef() = field.primitiveField();
+    result.ref().correctBoundaryConditions();
+    mapping_->spread(result.ref());
+
+    return result;
+}
+
+
+void Foam::cghs::cghsCloud::completeStep
+(
+    const volVectorField& dU,
+    const volVectorField& dGradP,
+    const scalar deltaT
+)
+{
+    addProfiling(complete, "cghs::complete");
+
+    suspension_->complete
+    (
+        parcels_,
+        smooth(dU)(),
+        smooth(dGradP)(),
+        deltaT
+    );
+}
+
+
+template<class Type>
+Foam::tmp<Foam::GeometricField<Type, Foam::fvPatchField, Foam::volMesh>>
+Foam::cghs::cghsCloud::spreadDensity
+(
+    const word& name,
+    const Field<Type>& sums,
+    const dimensionSet& dimensions
+) const
+{
+    auto result =
+        tmp<GeometricField<Type, fvPatchField, volMesh>>::New
+        (
+            IOobject
+            (
+                this->name() + ':' + name,
+                mesh_.time().timeName(),
+                mesh_,
+                IOobject::NO_READ,
+                IOobject::NO_WRITE,
+                false
+            ),
+            mesh_,
+            dimensioned<Type>(dimensions, Zero),
+            zeroGradientFvPatchField<Type>::typeName
+        );
+
+    result.ref().primitiveFieldRef() = sums/mesh_.V();
+    result.ref().correctBoundaryConditions();
+    mapping_->spread(result.ref());
+
+    return result;
+}
+
+
+Foam::tmp<Foam::volScalarField> Foam::cghs::cghsCloud::solidsFraction() const
+{
+    addProfiling(mapping, "cghs::mapping");
+
+    scalarField volume(mesh_.nCells(), Zero);
+
+    for (label i = 0; i < parcels_.size(); ++i)
+    {
+        volume[parcels_.cells[i]] += parcels_.volume(i);
+    }
+
+    return spreadDensity("theta", volume, dimless);
+}
+
+
+Foam::tmp<Foam::volScalarField> Foam::cghs::cghsCloud::noSolids() const
+{
+    return spreadDensity
+    (
+        "theta",
+        scalarField(mesh_.nCells(), Zero),
+        dimless
+    );
+}
+
+
+Foam::tmp<Foam::volVectorField> Foam::cghs::cghsCloud::drag
+(
+    const scalar deltaT
+) const
+{
+    addProfiling(mapping, "cghs::mapping");
+
+    return spreadDensity
+    (
+        "drag",
+        vectorField(suspension_->impulse()/deltaT),
+        dimForce/dimVolume
+    );
+}
+
+
+Foam::tmp<Foam::volScalarField> Foam::cghs::cghsCloud::dragResponse() const
+{
+    addProfiling(mapping, "cghs::mapping");
+
+    return spreadDensity
+    (
+        "dragResponse",
+        suspension_->response(),
+        dimDensity/dimTime
+    );
+}
+
+// * * * * * * * * * * * * * * * * Reports * * * * * * * * * * * * * * * * * //
+
+Foam::cghs::census Foam::cghs::cghsCloud::count() const
+{
+    census c;
+
+    for (label i = 0; i < parcels_.size(); ++i)
+    {
+        const motion& m = parcels_.motions[i];
+        const scalar mass = m.mass();
+
+        ++c.nParcels;
+        c.mass += mass;
+        c.volume += parcels_.volume(i);
+        c.momentum += mass*m.v;
+        c.massMoment += mass*parcels_.spheres[i].x;
+        c.kineticEnergy += 0.5*mass*magSqr(m.v);
+        c.meanVelocity += m.v;
+        c.meanSquare += cmptMultiply(m.v, m.v);
+
+        if (parcels_.spinning())
+        {
+            c.rotationalEnergy +=
+                0.5*inertiaFactor*mass*sqr(parcels_.spheres[i].r)
+               *magSqr(parcels_.spins[i]);
+        }
+    }
+
+    reduce(c.nParcels, sumOp<label>());
+
+    for (scalar* s : {&c.mass, &c.volume, &c.kineticEnergy, &c.rotationalEnergy})
+    {
+        reduce(*s, sumOp<scalar>());
+    }
+
+    for
+    (
+        vector* v
+      : {&c.momentum, &c.massMoment, &c.meanVelocity, &c.meanSquare}
+    )
+    {
+        reduce(*v, sumOp<vector>());
+    }
+
+    c.meanVelocity /= max(c.nParcels, 1);
+    c.meanSquare /= max(c.nParcels, 1);
+
+    return c;
+}
+
+
+std::size_t Foam::cghs::cghsCloud::bytesPerParcel() const
+{
+    return
+        parcels_.bytesPerParcel()
+      + contacts_.bytes()/max(parcels_.size(), 1);
+}
+
+// * * * * * * * * * * * * * * * Input and output  * * * * * * * * * * * * * //
+
+bool Foam::cghs::cghsCloud::writeObject
+(
+    IOstream::streamFormat fmt,
+    IOstream::versionNumber ver,
+    IOstream::compressionType cmp,
+    const bool
+) const
+{
+    writeParcels(mesh_, name(), parcels_, fmt, ver, cmp);
+    return true;
+}
+
+
+void Foam::cghs::cghsCloud::writeObjects(objectRegistry& obr) const
+{
+    registerParcels(parcels_, obr);
+}

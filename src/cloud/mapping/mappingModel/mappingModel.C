@@ -1,0 +1,33 @@
+/*---------------------------------------------------------------------------*\
+    cghsFoam | coarse-grained hard spheres in OpenFOAM
+    GPL-3.0-or-later, see LICENSE
+\*---------------------------------------------------------------------------*/
+
+#include "mappingModel.H"
+#include "selectModel.H"
+
+namespace Foam
+{
+namespace cghs
+{
+    defineTypeNameAndDebug(mappingModel, 0);
+    defineRunTimeSelectionTable(mappingModel, dictionary);
+}
+}
+
+
+Foam::autoPtr<Foam::cghs::mappingModel> Foam::cghs::mappingModel::New
+(
+    const dictionary& subModels,
+    const fvMesh& mesh,
+    const scalar parcelDiameter
+)
+{
+    return selectModel<mappingModel>
+    (
+        subModels,
+        *dictionaryConstructorTablePtr_,
+        mesh,
+        parcelDiameter
+    );
+}

@@ -1,0 +1,240 @@
+/*---------------------------------------------------------------------------*\
+    cghsFoam | coarse-grained hard spheres in OpenFOAM
+    GPL-3.0-or-later, see LICENSE
+\*---------------------------------------------------------------------------*/
+
+#include "parcelFiles.H"
+#include "passiveParticleCloud.H"
+#include "IOField.H"
+#include "mathematicalConstants.H"
+
+namespace Foam
+{
+namespace cghs
+{
+
+//- Call use(name, values) for each field that is written
+template<class Use>
+static void forFields(const arena& parcels, const Use& use)
+{
+    const label n = parcels.size();
+
+    vectorField x(n), v(n), w(parcels.spinning() ? n : 0);
+    scalarField d(n), rho(n), weight(n), dParcel(n);
+
+    for (label i = 0; i < n; ++i)
+    {
+        x[i] = parcels.spheres[i].x;
+        v[i] = parcels.motions[i].v;
+        d[i] = parcels.diameters[i];
+        rho[i] = parcels.density(i);
+        weight[i] = parcels.weights[i];
+        dParcel[i] = 2*parcels.spheres[i].r;
+
+        if (parcels.spinning())
+        {
+            w[i] = parcels.spins[i];
+        }
+    }
+
+    use("position", x);
+    use("U", v);
+    use("d", d);
+    use("rho", rho);
+    use("nParticle", weight);
+    use("dParcel", dParcel);
+
+    if (parcels.spinning())
+    {
+        use("omega", w);
+    }
+}
+
+
+template<class Type>
+static Field<Type> readField
+(
+    const passiveParticleCloud& files,
+    const word& name,
+    const IOobject::readOption option = IOobject::MUST_READ
+)
+{
+    const IOField<Type> field(files.fieldIOobject(name, option), files.size());
+
+    files.checkFieldIOobject(files, field);
+    return field;
+}
+
+
+static void checkPositive(const passiveParticleCloud& files, const word& name)
+{
+    const scalarField values(readField<scalar>(files, name));
+
+    forAll(values, i)
+    {
+        if (!(values[i] > 0))
+        {
+            FatalErrorInFunction
+                << "Parcel " << i << " has " << name << ' ' << values[i]
+                << " in " << files.fieldIOobject
+                   (name, IOobject::NO_READ).objectPath()
+                << nl << "It must be greater than zero" << nl
+                << exit(FatalError);
+        }
+    }
+}
+
+} // End namespace cghs
+} // End namespace Foam
+
+
+void Foam::cghs::readParcels
+(
+    const polyMesh& mesh,
+    const word& cloudName,
+    arena& parcels
+)
+{
+    const passiveParticleCloud files(mesh, cloudName);
+    const label n = files.size();
+
+    parcels.append(n);
+
+    if (n == 0)
+    {
+        return;
+    }
+
+    for (const word name : {"d", "rho", "nParticle"})
+    {
+        checkPositive(files, name);
+    }
+
+    const vectorField v(readField<vector>(files, "U"));
+    const scalarField d(readField<scalar>(files, "d"));
+    const scalarField rho(readField<scalar>(files, "rho"));
+    const scalarField weight(readField<scalar>(files, "nParticle"));
+
+    const bool exact =
+        files.fieldIOobject("position", IOobject::MUST_READ)
+       .typeHeaderOk<IOField<vector>>(true);
+    const bool spins =
+        parcels.spinning()
+     && files.fieldIOobject("omega", IOobject::MUST_READ)
+       .typeHeaderOk<IOField<vector>>(true);
+
+    const vectorField x
+    (
+        exact ? readField<vector>(files, "position") : vectorField()
+    );
+    const vectorField w
+    (
+        spins ? readField<vector>(files, "omega") : vectorField()
+    );
+
+    label i = 0;
+    for (const passiveParticle& p : files)
+    {
+        const scalar radius = 0.5*d[i]*cbrt(weight[i]);
+        const scalar volume =
+            4.0/3.0*constant::mathematical::pi*pow3(radius);
+
+        parcels.spheres[i] = sphere(exact ? x[i] : p.position(), radius);
+        parcels.motions[i] = motion(v[i], 1/(rho[i]*volume));
+        parcels.weights[i] = weight[i];
+        parcels.diameters[i] = d[i];
+        parcels.cells[i] = p.cell();
+        parcels.ids[i] = p.origId();
+
+        if (parcels.spinning())
+        {
+            parcels.spins[i] = spins ? w[i] : Zero;
+        }
+        ++i;
+    }
+}
+
+
+void Foam::cghs::writeParcels
+(
+    const polyMesh& mesh,
+    const word& cloudName,
+    const arena& parcels,
+    IOstream::streamFormat fmt,
+    IOstream::versionNumber ver,
+    IOstream::compressionType cmp
+)
+{
+    passiveParticleCloud files(mesh, cloudName, IDLList<passiveParticle>());
+
+    for (label i = 0; i < parcels.size(); ++i)
+    {
+        passiveParticle* p =
+            new passiveParticle
+            (
+                mesh,
+                parcels.spheres[i].x,
+                parcels.cells[i]
+            );
+
+        // The parcel's number alone tells it from all others, on all ranks
+        p->origProc() = 0;
+        p->origId() = parcels.ids[i];
+        files.addParticle(p);
+    }
+
+    // Readers outside OpenFOAM know the positions, not the coordinates
+    const bool positions = particle::writeLagrangianPositions;
+    particle::writeLagrangianPositions = true;
+    files.writeObject(fmt, ver, cmp, true);
+    particle::writeLagrangianPositions = positions;
+
+    struct writer
+    {
+        const passiveParticleCloud& files;
+        IOstream::streamFormat fmt;
+        IOstream::versionNumber ver;
+        IOstream::compressionType cmp;
+
+        void operator()(const word& name, const scalarField& f) const
+        {
+            write(name, f);
+        }
+        void operator()(const word& name, const vectorField& f) const
+        {
+            write(name, f);
+        }
+
+        template<class Type>
+        void write(const word& name, const Field<Type>& values) const
+        {
+            IOField<Type>
+            (
+                files.fieldIOobject(name, IOobject::NO_READ),
+                values
+            ).writeObject(fmt, ver, cmp, values.size());
+        }
+    };
+
+    forFields(parcels, writer{files, fmt, ver, cmp});
+}
+
+
+void Foam::cghs::registerParcels(const arena& parcels, objectRegistry& obr)
+{
+    struct registrar
+    {
+        objectRegistry& obr;
+
+        void operator()(const word& name, const scalarField& f) const
+        {
+            cloud::createIOField<scalar>(name, f.size(), obr) = f;
+        }
+        void operator()(const word& name, const vectorField& f) const
+        {
+            cloud::createIOField<vector>(name, f.size(), obr) = f;
+        }
+    };
+
+    forFields(parcels, registrar{obr});
+}

@@ -1,0 +1,455 @@
+/*---------------------------------------------------------------------------*\
+    cghsFoam | coarse-grained hard spheres in OpenFOAM
+    GPL-3.0-or-later, see LICENSE
+\*---------------------------------------------------------------------------*/
+
+#include "transport.H"
+#include "emptyPolyPatch.H"
+#include "cyclicPolyPatch.H"
+#include "processorPolyPatch.H"
+#include "processorCyclicPolyPatch.H"
+#include "cyclicAMIPolyPatch.H"
+#include "symmetryPolyPatch.H"
+#include "symmetryPlanePolyPatch.H"
+#include "wedgePolyPatch.H"
+#include "PstreamBuffers.H"
+#include "globalMeshData.H"
+#include "SubField.H"
+#include "PstreamReduceOps.H"
+#include "profiling.H"
+
+const Foam::Enum<Foam::cghs::transport::action>
+Foam::cghs::transport::actionNames
+({
+    { action::rebound, "rebound" },
+    { action::escape, "escape" }
+});
+
+// * * * * * * * * * * * * * * * * The input * * * * * * * * * * * * * * * * //
+
+void Foam::cghs::transport::readActions(const dictionary& dict)
+{
+    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+
+    forAll(patches, patchi)
+    {
+        const polyPatch& pp = patches[patchi];
+
+        if (isA<emptyPolyPatch>(pp))
+        {
+            actions_[patchi] = action::none;
+        }
+        else if (isA<cyclicPolyPatch>(pp) || isA<processorPolyPatch>(pp))
+        {
+            actions_[patchi] = action::coupled;
+        }
+        else if
+        (
+            isA<cyclicAMIPolyPatch>(pp)
+         || isA<wedgePolyPatch>(pp)
+         || isA<symmetryPolyPatch>(pp)
+         || isA<symmetryPlanePolyPatch>(pp)
+        )
+        {
+            FatalIOErrorInFunction(dict)
+                << "Patch " << pp.name() << " is of type " << pp.type()
+                << ", which parcels cannot meet yet" << nl
+                << "Use patch, wall, cyclic or empty" << nl
+                << exit(FatalIOError);
+        }
+        else if (!dict.found(pp.name()))
+        {
+            FatalIOErrorInFunction(dict)
+                << "No entry for patch " << pp.name() << nl
+                << "State what parcels do there, one of "
+                << actionNames << nl
+                << exit(FatalIOError);
+        }
+        else
+        {
+            actions_[patchi] = actionNames.get(pp.name(), dict);
+        }
+    }
+}
+
+
+Foam::labelList Foam::cghs::transport::wallPatches() const
+{
+    return findIndices(actions_, action::rebound);
+}
+
+
+Foam::List<Foam::vector> Foam::cghs::transport::periods(const polyMesh& mesh)
+{
+    DynamicList<vector> own;
+
+    for (const polyPatch& pp : mesh.boundaryMesh())
+    {
+        const coupledPolyPatch* coupled = isA<coupledPolyPatch>(pp);
+
+        if (!coupled || pp.empty())
+        {
+            continue;
+        }
+
+        if (!coupled->parallel())
+        {
+            FatalErrorInFunction
+                << "Patch " << pp.name() << " couples by a rotation; parcels"
+                << " can only pass periodic patches that are parallel" << nl
+                << exit(FatalError);
+        }
+
+        if (coupled->separated())
+        {
+            own.append(coupled->separation()[0]);
+        }
+    }
+
+    List<List<vector>> all(Pstream::nProcs());
+    all[Pstream::myProcNo()] = own;
+    Pstream::gatherList(all);
+    Pstream::scatterList(all);
+
+    // Each period is met from both sides, and by many ranks
+    DynamicList<vector> different;
+    for (const List<vector>& ofRank : all)
+    {
+        for (const vector& p : ofRank)
+        {
+            bool known = false;
+            for (const vector& q : different)
+            {
+                known =
+                    known || min(mag(p - q), mag(p + q)) < 1e-6*mag(p);
+            }
+
+            if (!known)
+            {
+                different.append(p);
+            }
+        }
+    }
+
+    return List<vector>(std::move(different));
+}
+
+// * * * * * * * * * * * * * * * * The boundary  * * * * * * * * * * * * * * //
+
+void Foam::cghs::transport::turnBack
+(
+    arena& parcels,
+    const label i,
+    const label facei
+)
+{
+    const vector n(locator_.outwardNormal(facei));
+    sphere& s = parcels.spheres[i];
+    motion& m = parcels.motions[i];
+
+    // To just inside the face, by the way it came in
+    const scalar out = (s.x - mesh_.faceCentres()[facei]) & n;
+    s.x -= (out + 1e-3*s.r)*n;
+
+    m.v -= max(m.v & n, scalar(0))*n;
+
+    ++nPenetrated_;
+}
+
+
+void Foam::cghs::transport::passCyclic
+(
+    arena& parcels,
+    const label i,
+    const label facei
+) const
+{
+    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+    const cyclicPolyPatch& here =
+        refCast<const cyclicPolyPatch>(patches[patches.whichPatch(facei)]);
+    const cyclicPolyPatch& there = here.neighbPatch();
+    const label k = here.whichFace(facei);
+
+    parcels.spheres[i].x += there.faceCentres()[k] - here.faceCentres()[k];
+    parcels.cells[i] = there.faceCells()[k];
+}
+
+
+Foam::cghs::transport::fate Foam::cghs::transport::settleOne
+(
+    arena& parcels,
+    const label i,
+    label& facei
+)
+{
+    constexpr label patience = 100;
+
+    for (label step = 0; step < patience; ++step)
+    {
+        facei = locator_.follow(parcels.spheres[i].x, parcels.cells[i]);
+
+        if (facei == -1)
+        {
+            return fate::stays;
+        }
+
+        const label patchi = mesh_.boundaryMesh().whichPatch(facei);
+
+        switch (actions_[patchi])
+        {
+            case action::rebound:
+                turnBack(parcels, i, facei);
+                break;
+
+            case action::escape:
+                return fate::leaves;
+
+            case action::coupled:
+                if (isA<processorPolyPatch>(mesh_.boundaryMesh()[patchi]))
+                {
+                    return fate::passes;
+                }
+                passCyclic(parcels, i, facei);
+                break;
+
+            case action::none:
+                return fate::stays;
+        }
+    }
+
+    return fate::stays;
+}
+
+
+Foam::label Foam::cghs::transport::settleFrom
+(
+    arena& parcels,
+    const label first,
+    bool& anySent
+)
+{
+    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+    const labelList& procNeighbours =
+        mesh_.globalData().processorPatchNeighbours();
+
+    boolList keep(parcels.size(), true);
+    List<DynamicList<label>> sent(Pstream::nProcs());
+    List<DynamicList<passage>> passages(Pstream::nProcs());
+    label nLost = 0;
+
+    for (label i = first; i < parcels.size(); ++i)
+    {
+        label facei;
+
+        switch (settleOne(parcels, i, facei))
+        {
+            case fate::stays:
+                break;
+
+            case fate::leaves:
+                keep[i] = false;
+                ++nLost;
+                ++nEscaped_;
+                massEscaped_ += parcels.motions[i].mass();
+                break;
+
+            case fate::passes:
+            {
+                const label patchi = patches.whichPatch(facei);
+                const processorPolyPatch& pp =
+                    refCast<const processorPolyPatch>(patches[patchi]);
+
+                keep[i] = false;
+                ++nLost;
+                sent[pp.neighbProcNo()].append(i);
+                passages[pp.neighbProcNo()].append
+                (
+                    passage
+                    {
+                        procNeighbours[patchi],
+                        pp.whichFace(facei),
+                        parcels.spheres[i].x - mesh_.faceCentres()[facei]
+                    }
+                );
+                break;
+            }
+        }
+    }
+
+    if (!Pstream::parRun())
+    {
+        if (nLost)
+        {
+            parcels.thin(keep);
+        }
+        anySent = false;
+        return parcels.size();
+    }
+
+    PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
+
+    forAll(sent, rank)
+    {
+        if (sent[rank].size())
+        {
+            UOPstream os(rank, buffers);
+            os << passages[rank];
+            parcels.pack(sent[rank], os);
+        }
+    }
+
+    labelList sizes;
+    buffers.finishedSends(sizes);
+
+    if (nLost)
+    {
+        parcels.thin(keep);
+    }
+
+    const label firstNew = parcels.size();
+    const labelList& procPatches = mesh_.globalData().processorPatches();
+
+    forAll(sizes, rank)
+    {
+        if (!sizes[rank])
+        {
+            continue;
+        }
+
+        UIPstream is(rank, buffers);
+        const List<passage> came(is);
+        label i = parcels.size();
+        parcels.unpack(is);
+
+        for (const passage& p : came)
+        {
+            const polyPatch& pp = patches[procPatches[p.patch]];
+
+            parcels.cells[i] = pp.faceCells()[p.face];
+
+            // Between the two sides of a period the centres differ
+            if (isA<processorCyclicPolyPatch>(pp))
+            {
+                parcels.spheres[i].x = pp.faceCentres()[p.face] + p.offset;
+            }
+            ++i;
+        }
+    }
+
+    anySent = returnReduce(parcels.size() > firstNew, orOp<bool>());
+    return firstNew;
+}
+
+
+void Foam::cghs::transport::settle(arena& parcels)
+{
+    parcels.dismissGuests();
+
+    label first = 0;
+    bool anySent;
+
+    do
+    {
+        first = settleFrom(parcels, first, anySent);
+    }
+    while (anySent);
+}
+
+// * * * * * * * * * * * * * * * * The motion  * * * * * * * * * * * * * * * //
+
+Foam::cghs::transport::report Foam::cghs::transport::survey
+(
+    const arena& parcels
+) const
+{
+    report r;
+    scalar maxSpeedSqr = 0;
+    scalar maxRateSqr = 0;
+
+    for (label i = 0; i < parcels.size(); ++i)
+    {
+        const scalar speedSqr = magSqr(parcels.motions[i].v);
+
+        maxSpeedSqr = max(maxSpeedSqr, speedSqr);
+        maxRateSqr = max(maxRateSqr, speedSqr/sqr(2*parcels.spheres[i].r));
+    }
+
+    vector global(maxSpeedSqr, maxRateSqr, 0);
+    reduce(global, maxOp<vector>());
+
+    r.maxSpeed = sqrt(global.x());
+    r.diameterTime = 1/max(sqrt(global.y()), VSMALL);
+    return r;
+}
+
+
+Foam::cghs::transport::report Foam::cghs::transport::move
+(
+    arena& parcels,
+    const scalar deltaT
+)
+{
+    addProfiling(move, "cghs::move");
+
+    scalar maxSpeedSqr = 0;
+    scalar maxRateSqr = 0;
+    bool crossed = false;
+
+    for (label i = 0; i < parcels.size(); ++i)
+    {
+        sphere& s = parcels.spheres[i];
+        vector& v = parcels.motions[i].v;
+
+        v = cmptMultiply(v, freedom_);
+        s.x += deltaT*v;
+
+        const scalar speedSqr = magSqr(v);
+        maxSpeedSqr = max(maxSpeedSqr, speedSqr);
+        maxRateSqr = max(maxRateSqr, speedSqr/sqr(2*s.r));
+
+        const label facei = locator_.follow(s.x, parcels.cells[i]);
+
+        if (facei != -1)
+        {
+            const label patchi = mesh_.boundaryMesh().whichPatch(facei);
+
+            if (actions_[patchi] == action::rebound)
+            {
+                turnBack(parcels, i, facei);
+            }
+            else
+            {
+                crossed = true;
+            }
+        }
+    }
+
+    vector global(maxSpeedSqr, maxRateSqr, crossed);
+    reduce(global, maxOp<vector>());
+
+    report r;
+    r.maxSpeed = sqrt(global.x());
+    r.diameterTime = 1/max(sqrt(global.y()), VSMALL);
+    r.crossed = global.z() > 0;
+    return r;
+}
+
+// * * * * * * * * * * * * * * * * * Public  * * * * * * * * * * * * * * * * //
+
+Foam::cghs::transport::transport(const polyMesh& mesh, const dictionary& dict)
+:
+    mesh_(mesh),
+    locator_(mesh),
+    actions_(mesh.boundaryMesh().size(), action::none),
+    freedom_
+    (
+        mesh.geometricD().x() > 0,
+        mesh.geometricD().y() > 0,
+        mesh.geometricD().z() > 0
+    ),
+    nEscaped_(0),
+    massEscaped_(0),
+    nPenetrated_(0)
+{
+    readActions(dict);
+}

@@ -1,0 +1,404 @@
+/*---------------------------------------------------------------------------*\
+    cghsFoam | coarse-grained hard spheres in OpenFOAM
+    GPL-3.0-or-later, see LICENSE
+\*---------------------------------------------------------------------------*/
+
+#include "wallSurfaces.H"
+#include "closestPoint.H"
+#include "Pstream.H"
+#include "pointField.H"
+#include "SubField.H"
+
+#include <algorithm>
+
+// * * * * * * * * * * * * * * * * Triangles * * * * * * * * * * * * * * * * //
+
+Foam::pointField Foam::cghs::wallSurfaces::ownCorners
+(
+    const polyMesh& mesh,
+    const UList<label>& patches
+)
+{
+    DynamicList<point> corners;
+
+    const auto add = [&](const point& a, const point& b, const point& c)
+    {
+        if (mag((b - a) ^ (c - a)) > VSMALL)
+        {
+            corners.append(a);
+            corners.append(b);
+            corners.append(c);
+        }
+    };
+
+    for (const label patchi : patches)
+    {
+        const polyPatch& pp = mesh.boundaryMesh()[patchi];
+
+        forAll(pp, i)
+        {
+            const face& f = pp[i];
+            const pointField& points = mesh.points();
+
+            if (f.size() == 3)
+            {
+                add(points[f[0]], points[f[1]], points[f[2]]);
+                continue;
+            }
+
+            // A fan about the centre follows a warped face best
+            const point& centre = pp.faceCentres()[i];
+            forAll(f, k)
+            {
+                add(centre, points[f[k]], points[f.nextLabel(k)]);
+            }
+        }
+    }
+
+    return pointField(std::move(corners));
+}
+
+
+// * * * * * * * * * * * * * * * * The grid  * * * * * * * * * * * * * * * * //
+
+Foam::label Foam::cghs::wallSurfaces::gridIndex(const vector& x) const
+{
+    label index = 0;
+
+    for (direction d = 0; d < 3; ++d)
+    {
+        const scalar cell = floor((x[d] - origin_[d])/width_);
+
+        if (cell < 0 || cell >= n_[d])
+        {
+            return -1;
+        }
+        index = index*n_[d] + label(cell);
+    }
+
+    return index;
+}
+
+
+void Foam::cghs::wallSurfaces::layGrid(const scalar reach)
+{
+    constexpr scalar maxCells = 2e6;
+
+    reach_ = reach;
+
+    boundBox box(vector::uniform(GREAT), vector::uniform(-GREAT));
+    for (const triangle& t : triangles_)
+    {
+        for (const vector& p : {t.a, t.b, t.c})
+        {
+            box.min() = min(box.min(), p);
+            box.max() = max(box.max(), p);
+        }
+    }
+
+    if (triangles_.empty())
+    {
+        n_ = labelVector(0, 0, 0);
+        gridStart_.resize(1, 0);
+        return;
+    }
+
+    box.inflate(SMALL);
+    origin_ = box.min() - vector::uniform(reach);
+    const vector span(box.span() + vector::uniform(2*reach));
+
+    // No finer than a parcel's reach, no more cells than memory is worth
+    width_ = max(reach, cbrt(span.x()*span.y()*span.z()/maxCells));
+    for (direction d = 0; d < 3; ++d)
+    {
+        n_[d] = label(span[d]/width_) + 1;
+    }
+
+    const label nCells = n_.x()*n_.y()*n_.z();
+
+    // Once to count, once to fill
+    labelList count(nCells, Zero);
+    labelList fill;
+
+    for (const bool counting : {true, false})
+    {
+        forAll(triangles_, ti)
+        {
+            const triangle& t = triangles_[ti];
+            labelVector lo, hi;
+
+            for (direction d = 0; d < 3; ++d)
+            {
+                const scalar low = min(min(t.a[d], t.b[d]), t.c[d]) - reach;
+                const scalar high = max(max(t.a[d], t.b[d]), t.c[d]) + reach;
+                lo[d] = max(label(floor((low - origin_[d])/width_)), 0);
+                hi[d] = min(label((high - origin_[d])/width_), n_[d] - 1);
+            }
+
+            for (label i = lo.x(); i <= hi.x(); ++i)
+            {
+                for (label j = lo.y(); j <= hi.y(); ++j)
+                {
+                    for (label k = lo.z(); k <= hi.z(); ++k)
+                    {
+                        const vector centre
+                        (
+                            origin_ + width_*vector(i + 0.5, j + 0.5, k + 0.5)
+                        );
+                        const vector p
+                        (
+                            closestPoint(t.a, t.b, t.c, centre).point
+                        );
+
+                        if (mag(p - centre) > reach + 0.87*width_)
+                        {
+                            continue;  // Off its half diagonal: out of reach
+                        }
+
+                        const label c = (i*n_.y() + j)*n_.z() + k;
+
+                        if (counting)
+                        {
+                            ++count[c];
+                        }
+                        else
+                        {
+                            gridTriangles_[fill[c]++] = ti;
+                        }
+                    }
+                }
+            }
+        }
+
+        if (counting)
+        {
+            gridStart_.resize(nCells + 1);
+            gridStart_[0] = 0;
+            forAll(count, c)
+            {
+                gridStart_[c + 1] = gridStart_[c] + count[c];
+            }
+            gridTriangles_.resize(gridStart_.last());
+            fill = SubList<label>(gridStart_, nCells);
+        }
+    }
+}
+
+// * * * * * * * * * * * * * * * * The contacts  * * * * * * * * * * * * * * //
+
+void Foam::cghs::wallSurfaces::appendContacts
+(
+    const label i,
+    const sphere& s,
+    const label wallBody,
+    DynamicList<contact>& contacts
+) const
+{
+    // Nearness of two points, or of a point and a plane, in radii
+    constexpr scalar tolerance = 1e-6;
+
+    struct near
+    {
+        vector d;
+        bool interior;
+    };
+
+    DynamicList<near, 16> found;
+
+    for (label k = start_[i]; k < start_[i + 1]; ++k)
+    {
+        const triangle& t = triangles_[candidates_[k]];
+        const scalar height = (t.a - s.x) & t.normal;
+
+        // Out of reach of the plane, or behind a baffle
+        if (height > s.r || height < 0)
+        {
+            continue;
+        }
+
+        const nearestOnTriangle p = closestPoint(t.a, t.b, t.c, s.x);
+        const vector d(p.point - s.x);
+
+        if (magSqr(d) < sqr(s.r))
+        {
+            const bool centred = mag(d) < tolerance*s.r;
+            found.append
+            (
+                near{centred ? tolerance*s.r*t.normal : d, p.interior}
+            );
+        }
+    }
+
+    std::sort
+    (
+        found.begin(),
+        found.end(),
+        [](const near& a, const near& b)
+        {
+            return
+                a.interior != b.interior
+              ? a.interior
+              : magSqr(a.d) < magSqr(b.d);
+        }
+    );
+
+    const label first = contacts.size();
+
+    for (const near& f : found)
+    {
+        bool hidden = false;
+
+        for (label k = first; k < contacts.size() && !hidden; ++k)
+        {
+            const contact& c = contacts[k];
+            hidden = (f.d & c.n) > s.r - c.overlap - tolerance*s.r;
+        }
+
+        if (!hidden)
+        {
+            contacts.append
+            (
+                makeContact(i, wallBody, contact::parcelWall, f.d, s.r)
+            );
+        }
+    }
+}
+
+
+void Foam::cghs::wallSurfaces::touch
+(
+    const UList<sphere>& spheres,
+    const label wallBody,
+    DynamicList<contact>& contacts
+) const
+{
+    for (label i = 0; i < start_.size() - 1; ++i)
+    {
+        if (start_[i] != start_[i + 1])
+        {
+            appendContacts(i, spheres[i], wallBody, contacts);
+        }
+    }
+}
+
+
+void Foam::cghs::wallSurfaces::find
+(
+    const UList<sphere>& spheres,
+    const label nOwn,
+    const scalar skin
+)
+{
+    scalar reach = 0;
+    for (label i = 0; i < nOwn; ++i)
+    {
+        reach = max(reach, spheres[i].r + skin);
+    }
+
+    if (reach > reach_)
+    {
+        layGrid(1.01*reach);
+    }
+
+    start_.resize(nOwn + 1);
+    candidates_.clear();
+
+    for (label i = 0; i < nOwn; ++i)
+    {
+        start_[i] = candidates_.size();
+
+        const sphere& s = spheres[i];
+        const label c = gridIndex(s.x);
+
+        if (c == -1)
+        {
+            continue;
+        }
+
+        for (label k = gridStart_[c]; k < gridStart_[c + 1]; ++k)
+        {
+            const triangle& t = triangles_[gridTriangles_[k]];
+            const vector p(closestPoint(t.a, t.b, t.c, s.x).point);
+
+            if (magSqr(p - s.x) < sqr(s.r + skin))
+            {
+                candidates_.append(gridTriangles_[k]);
+            }
+        }
+    }
+
+    start_[nOwn] = candidates_.size();
+}
+
+
+bool Foam::cghs::wallSurfaces::touches(const sphere& s) const
+{
+    for (const triangle& t : triangles_)
+    {
+        if (magSqr(closestPoint(t.a, t.b, t.c, s.x).point - s.x) < sqr(s.r))
+        {
+            return true;
+        }
+    }
+
+    return false;
+}
+
+// * * * * * * * * * * * * * * * * * Public  * * * * * * * * * * * * * * * * //
+
+Foam::cghs::wallSurfaces::wallSurfaces
+(
+    const polyMesh& mesh,
+    const UList<label>& patches
+)
+:
+    reach_(-1),
+    origin_(Zero),
+    width_(1),
+    n_(0, 0, 0),
+    gridStart_(1, Zero),
+    start_(1, Zero)
+{
+    // Every rank sees all faces and keeps those near its part of the mesh.
+    // How far parcels will reach is not known yet: the largest of them is
+    // taken to fit into the mesh of a rank, widened by its own size
+    List<pointField> all(Pstream::nProcs());
+    all[Pstream::myProcNo()] = ownCorners(mesh, patches);
+
+    Pstream::gatherList(all);
+    Pstream::scatterList(all);
+
+    boundBox box(mesh.points(), false);
+    box.inflate(0.1);
+    DynamicList<triangle> kept;
+
+    for (const pointField& corners : all)
+    {
+        for (label k = 0; k < corners.size(); k += 3)
+        {
+            const point& a = corners[k];
+            const point& b = corners[k + 1];
+            const point& c = corners[k + 2];
+
+            if (box.overlaps(boundBox(min(min(a, b), c), max(max(a, b), c))))
+            {
+                const vector area((b - a) ^ (c - a));
+                kept.append(triangle{a, b, c, area/mag(area)});
+            }
+        }
+    }
+
+    triangles_.transfer(kept);
+}
+
+
+std::size_t Foam::cghs::wallSurfaces::bytes() const
+{
+    return
+        triangles_.byteSize()
+      + sizeof(label)
+       *(
+            gridStart_.size() + gridTriangles_.size()
+          + start_.size() + candidates_.capacity()
+        );
+}

@@ -1,0 +1,41 @@
+/*---------------------------------------------------------------------------*\
+    cghsFoam | coarse-grained hard spheres in OpenFOAM
+    GPL-3.0-or-later, see LICENSE
+\*---------------------------------------------------------------------------*/
+
+#include "kineticTheory.H"
+#include "addToRunTimeSelectionTable.H"
+
+namespace Foam
+{
+namespace cghs
+{
+    defineTypeNameAndDebug(kineticTheory, 0);
+    addToRunTimeSelectionTable(restitutionScaling, kineticTheory, dictionary);
+}
+}
+
+
+Foam::scalar Foam::cghs::kineticTheory::ofParcel
+(
+    const dictionary& dict,
+    const scalar e,
+    const scalar W
+) const
+{
+    const scalar square = 1 + (sqr(e) - 1)*cbrt(W);
+
+    if (square < 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "restitutionScaling kineticTheory has no real solution for"
+            << " restitutionCoefficient " << e << " and parcelWeight " << W
+            << nl << "The largest parcelWeight it allows here is "
+            << pow3(1/(1 - sqr(e)))
+            << nl << "Lower parcelWeight, or select restitutionScaling"
+            << " logarithmic" << nl
+            << exit(FatalIOError);
+    }
+
+    return sqrt(square);
+}

@@ -1,0 +1,27 @@
+/*---------------------------------------------------------------------------*\
+    cghsFoam | coarse-grained hard spheres in OpenFOAM
+    GPL-3.0-or-later, see LICENSE
+\*---------------------------------------------------------------------------*/
+
+#include "logarithmic.H"
+#include "addToRunTimeSelectionTable.H"
+
+namespace Foam
+{
+namespace cghs
+{
+    defineTypeNameAndDebug(logarithmic, 0);
+    addToRunTimeSelectionTable(restitutionScaling, logarithmic, dictionary);
+}
+}
+
+
+Foam::scalar Foam::cghs::logarithmic::ofParcel
+(
+    const dictionary&,
+    const scalar e,
+    const scalar W
+) const
+{
+    return e > 0 ? exp(sqrt(W)*log(e)) : 0;
+}

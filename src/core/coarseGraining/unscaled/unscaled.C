@@ -1,0 +1,27 @@
+/*---------------------------------------------------------------------------*\
+    cghsFoam | coarse-grained hard spheres in OpenFOAM
+    GPL-3.0-or-later, see LICENSE
+\*---------------------------------------------------------------------------*/
+
+#include "unscaled.H"
+#include "addToRunTimeSelectionTable.H"
+
+namespace Foam
+{
+namespace cghs
+{
+    defineTypeNameAndDebug(unscaled, 0);
+    addToRunTimeSelectionTable(restitutionScaling, unscaled, dictionary);
+}
+}
+
+
+Foam::scalar Foam::cghs::unscaled::ofParcel
+(
+    const dictionary&,
+    const scalar e,
+    const scalar
+) const
+{
+    return e;
+}

@@ -1,0 +1,90 @@
+/*---------------------------------------------------------------------------*\
+    cghsFoam | coarse-grained hard spheres in OpenFOAM
+    GPL-3.0-or-later, see LICENSE
+\*---------------------------------------------------------------------------*/
+
+#include "hardSphere.H"
+#include "restitutionScaling.H"
+#include "checkedEntry.H"
+#include "addToRunTimeSelectionTable.H"
+
+namespace Foam
+{
+namespace cghs
+{
+    defineTypeNameAndDebug(hardSphere, 0);
+    addToRunTimeSelectionTable(contactModel, hardSphere, dictionary);
+
+    static impactCoeffs readCoeffs
+    (
+        const dictionary& parent,
+        const word& name,
+        const restitutionScaling& scaling,
+        const scalar parcelWeight
+    )
+    {
+        const dictionary& dict = parent.subDict(name);
+        const word entry("restitutionCoefficient");
+
+        return impactCoeffs
+        {
+            scaling.ofParcel
+            (
+                dict,
+                scalarInRange(dict, entry, 0, 1),
+                parcelWeight
+            ),
+            scalarInRange(dict, "tangentialRestitutionCoefficient", 0, 1),
+            scalarInRange(dict, "frictionCoefficient", 0, GREAT)
+        };
+    }
+
+}
+}
+
+
+Foam::cghs::hardSphere::hardSphere
+(
+    const dictionary& dict,
+    const scalar parcelWeight
+)
+:
+    scaling_(restitutionScaling::New(dict)),
+    coeffs_
+    ({
+        readCoeffs(dict, "parcelParcel", scaling_(), parcelWeight),
+        readCoeffs(dict, "parcelWall", scaling_(), parcelWeight)
+    }),
+    correction_(correctionModel::New(dict))
+{}
+
+
+bool Foam::cghs::hardSphere::needsSpin() const
+{
+    return
+        coeffs_[contact::parcelParcel].mu > 0
+     || coeffs_[contact::parcelWall].mu > 0;
+}
+
+
+void Foam::cghs::hardSphere::sweep
+(
+    const label sweepi,
+    const UList<contact>& contacts,
+    bodies& b,
+    const scalar deltaT
+)
+{
+    if (sweepi == 0)
+    {
+        for (const contact& c : contacts)
+        {
+            collide(c, b, coeffs_[c.surface]);
+        }
+    }
+    else
+    {
+        tally_.correctionWork +=
+            correction_->sweep(sweepi - 1, contacts, b, deltaT);
+    }
+}

@@ -1,0 +1,25 @@
+/*---------------------------------------------------------------------------*\
+    cghsFoam | coarse-grained hard spheres in OpenFOAM
+    GPL-3.0-or-later, see LICENSE
+\*---------------------------------------------------------------------------*/
+
+#include "correctionModel.H"
+#include "selectModel.H"
+
+namespace Foam
+{
+namespace cghs
+{
+    defineTypeNameAndDebug(correctionModel, 0);
+    defineRunTimeSelectionTable(correctionModel, dictionary);
+}
+}
+
+
+Foam::autoPtr<Foam::cghs::correctionModel> Foam::cghs::correctionModel::New
+(
+    const dictionary& dict
+)
+{
+    return selectModel<correctionModel>(dict, *dictionaryConstructorTablePtr_);
+}

@@ -1,0 +1,68 @@
+/*---------------------------------------------------------------------------*\
+    cghsFoam | coarse-grained hard spheres in OpenFOAM
+    GPL-3.0-or-later, see LICENSE
+\*---------------------------------------------------------------------------*/
+
+#include "velocityCorrection.H"
+#include "hardSphereImpulse.H"
+#include "checkedEntry.H"
+#include "addToRunTimeSelectionTable.H"
+
+namespace Foam
+{
+namespace cghs
+{
+    defineTypeNameAndDebug(velocityCorrection, 0);
+    addToRunTimeSelectionTable(correctionModel, velocityCorrection, dictionary);
+}
+}
+
+
+Foam::cghs::velocityCorrection::velocityCorrection(const dictionary& dict)
+:
+    nSweeps_(labelFrom(dict, "nSweeps", 0)),
+    overlapShare_(scalarInRange(dict, "overlapShare", 0, 1)),
+    velocityShare_(scalarInRange(dict, "velocityShare", 0, 1))
+{}
+
+
+Foam::scalar Foam::cghs::velocityCorrection::sweep
+(
+    const label sweepi,
+    const UList<contact>& contacts,
+    bodies& b,
+    const scalar deltaT
+) const
+{
+    const scalar rDeltaT = 1/deltaT;
+    const label n = contacts.size();
+
+    // What presses on a bed comes from one end of the list: every other sweep
+    // runs backwards, so that both ends are heard
+    const bool backwards = sweepi % 2;
+
+    scalar work = 0;
+
+    for (label i = 0; i < n; ++i)
+    {
+        const contact& c = contacts[backwards ? n - 1 - i : i];
+        const scalar vn = partingSpeed(c, b);
+
+        if (vn < 0)
+        {
+            const scalar room = c.overlap*rDeltaT;
+            const scalar gain =
+                min
+                (
+                    overlapShare_*room - velocityShare_*vn,
+                    room - vn
+                );
+
+            const scalar J = effectiveMass(c, b)*gain;
+            push(c, b, J*c.n);
+            work += J*(vn + 0.5*gain);
+        }
+    }
+
+    return work;
+}

@@ -1,0 +1,127 @@
+/*---------------------------------------------------------------------------*\
+    cghsFoam | coarse-grained hard spheres in OpenFOAM
+    GPL-3.0-or-later, see LICENSE
+\*---------------------------------------------------------------------------*/
+
+#include "stepReport.H"
+#include "OSspecific.H"
+#include "IOmanip.H"
+#include "PstreamReduceOps.H"
+#include "profiling.H"
+
+Foam::cghs::stepReport::stepReport
+(
+    const cghsCloud& parcels,
+    const Time& time
+)
+:
+    parcels_(parcels),
+    time_(time)
+{
+    if (Pstream::master())
+    {
+        openTable();
+    }
+}
+
+
+void Foam::cghs::stepReport::openTable()
+{
+    const fileName folder
+    (
+        time_.globalPath()/"postProcessing"/parcels_.name()/time_.timeName()
+    );
+
+    mkDir(folder);
+    table_.reset(new OFstream(folder/"parcels.dat"));
+
+    table_()
+        << "# time nParcels mass momentumX momentumY momentumZ"
+        << " centreX centreY centreZ kineticEnergy rotationalEnergy"
+        << " granularTemperature maxOverlap correctionWork nSolidsSteps"
+        << " clippedCells continuityError escapedMass" << endl;
+    table_().precision(12);
+}
+
+
+void Foam::cghs::stepReport::writeRow
+(
+    const census& c,
+    const stepLog& log,
+    const label nClipped,
+    const scalar continuityError
+)
+{
+    const scalar escaped =
+        returnReduce
+        (
+            parcels_.transportStage().massEscaped(),
+            sumOp<scalar>()
+        );
+
+    if (!table_.valid())
+    {
+        return;
+    }
+
+    const vector centre(c.massMoment/max(c.mass, VSMALL));
+    OFstream& os = table_();
+
+    os  << time_.value() << token::SPACE
+        << c.nParcels << token::SPACE << c.mass;
+
+    for (const vector& v : {c.momentum, centre})
+    {
+        for (direction d = 0; d < 3; ++d)
+        {
+            os  << token::SPACE << v[d];
+        }
+    }
+
+    os  << token::SPACE << c.kineticEnergy
+        << token::SPACE << c.rotationalEnergy
+        << token::SPACE << c.granularTemperature()
+        << token::SPACE << log.maxOverlap
+        << token::SPACE << log.correctionWork
+        << token::SPACE << log.nSolidsSteps
+        << token::SPACE << nClipped
+        << token::SPACE << continuityError
+        << token::SPACE << escaped << nl;
+
+    if (time_.writeTime() || time_.timeIndex() % 50 == 0)
+    {
+        os.flush();
+    }
+}
+
+
+void Foam::cghs::stepReport::write
+(
+    Ostream& os,
+    const autoPtr<incompressibleFluid>& fluid
+)
+{
+    addProfiling(report, "cghs::report");
+
+    const census c(parcels_.count());
+    const stepLog& log = parcels_.log();
+
+    const label nClipped = fluid.valid() ? fluid->nClipped() : 0;
+    const scalar defect = fluid.valid() ? fluid->continuityError() : 0;
+
+    os  << "solids: " << log.nSolidsSteps << " steps of at least "
+        << log.minDeltaT << " s, " << log.nListBuilds << " lists, "
+        << c.nParcels << " parcels, " << c.mass << " kg" << nl
+        << "        granular temperature " << c.granularTemperature()
+        << ", largest overlap " << 100*log.maxOverlap
+        << " % of d, correction work " << log.correctionWork << " J" << nl;
+
+    if (fluid.valid())
+    {
+        os  << "fluid:  Courant number " << fluid->courantNumber()
+            << ", volume defect " << defect << ", voidage clipped in "
+            << nClipped << " cells" << nl;
+    }
+
+    writeRow(c, log, nClipped, defect);
+}

@@ -1,0 +1,230 @@
+# ------------------------------------------------------------------------------
+# cghsFoam: coarse-grained hard-sphere fluidised beds for OpenFOAM
+# Licence: GPL-3.0-or-later, see the file LICENSE
+#
+# Description
+#     Reads what a case has written, for the tests and for the tutorials' pages
+#     of results. ASCII format. Use Debian's python, which has numpy:
+#
+#         #!/usr/bin/python3
+#         import os, sys
+#         sys.path.append(os.environ["PROJECT_DIR"] + "/tests/lib")
+#         import cghsTest as of
+#
+#         U = of.cloudField(".", of.times(".")[-1], "cghsCloud", "U")
+#         of.result("restSpeed", abs(U).max(), 1e-6)
+# ------------------------------------------------------------------------------
+"""Reading OpenFOAM's ASCII files with numpy."""
+
+import gzip
+import re
+from pathlib import Path
+
+import numpy as np
+
+_NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+|nan|inf)(?:[eE][-+]?\d+)?"
+
+
+def result(case, error, tolerance, seconds=None):
+    """Report a result to tests/Alltest."""
+    line = f"RESULT {case} {error:.6g} {tolerance:.6g}"
+    print(line if seconds is None else f"{line} {seconds:.1f}", flush=True)
+
+
+def relative_error(value, reference):
+    """Largest difference over the largest magnitude of the reference."""
+    value, reference = np.asarray(value), np.asarray(reference)
+    return float(np.abs(value - reference).max() / np.abs(reference).max())
+
+
+# Times and folders
+
+
+def times(case="."):
+    """Names of the case's times, in order, of all ranks if decomposed."""
+    folders = [Path(case), *Path(case).glob("processor[0-9]*")]
+    names = {
+        entry.name
+        for folder in folders
+        for entry in folder.iterdir()
+        if entry.is_dir() and re.fullmatch(_NUMBER, entry.name)
+    }
+    return sorted(names, key=float)
+
+
+def _folders(case, time):
+    """The folder of the time, or those of the ranks if not reconstructed."""
+    whole = Path(case) / str(time)
+    if whole.is_dir():
+        return [whole]
+    ranks = sorted(
+        Path(case).glob(f"processor[0-9]*/{time}"),
+        key=lambda path: int(path.parent.name[len("processor"):]),
+    )
+    if not ranks:
+        raise FileNotFoundError(f"{case} has no time {time}: {times(case)}")
+    return ranks
+
+
+def _read(path):
+    """Text of a file, packed or not, without comments and FoamFile header."""
+    packed = path.with_name(path.name + ".gz")
+    if path.exists():
+        data = path.read_bytes()
+    elif packed.exists():
+        data = gzip.decompress(packed.read_bytes())
+    else:
+        raise FileNotFoundError(path)
+
+    header = re.search(rb"FoamFile\s*\{(.*?)\}", data, re.S)
+    lists = b"nonuniform" in data or "lagrangian" in path.parts
+    if lists and header and re.search(rb"format\s+binary", header[1]):
+        raise ValueError(f"{path} is binary: write it in ASCII")
+    text = data[header.end():] if header else data
+    return re.sub(r"//[^\n]*|/\*.*?\*/", "", text.decode(), flags=re.S)
+
+
+# Lists
+
+
+def _numbers(text):
+    return np.array(text.replace("(", " ").replace(")", " ").split(), float)
+
+
+def _shaped(values, n, text):
+    """One row an element, unless the elements are single numbers."""
+    columns = text.count("(") and values.size // max(n, 1)
+    return values.reshape(n, columns) if columns else values
+
+
+def _list(text):
+    """The list that the text begins with: 'N (a b c)' or 'N {a}'."""
+    match = re.match(r"\s*(?:List<\w+>)?\s*(\d+)?\s*([({])", text)
+    if not match:
+        raise ValueError(f"no list of numbers: {text[:60]!r}")
+
+    if match[2] == "{":
+        n = int(match[1])
+        value = text[match.end():text.index("}", match.end())]
+        return _shaped(np.tile(_numbers(value), n), n, value)
+
+    inner = text[match.end():_closing(text, match.end())]
+    rows = inner.count("(")
+    values = _numbers(inner)
+    n = int(match[1]) if match[1] else rows or values.size
+    return _shaped(values, n, inner)
+
+
+def _closing(text, start):
+    """Where the bracket that opened before start is closed."""
+    depth = 1
+    for bracket in re.compile(r"[()]").finditer(text, start):
+        depth += 1 if bracket[0] == "(" else -1
+        if depth == 0:
+            return bracket.start()
+    raise ValueError("unclosed bracket: the file is incomplete")
+
+
+def _entry(text, name):
+    """What 'name uniform ...;' or 'name nonuniform ...;' holds."""
+    match = re.search(rf"\b{name}\s+(uniform|nonuniform)\s+", text)
+    if not match:
+        raise KeyError(name)
+    if match[1] == "nonuniform":
+        return _list(text[match.end():])
+    values = _numbers(text[match.end():text.index(";", match.end())])
+    return values if values.size > 1 else values[0]
+
+
+# Fields of the mesh
+
+
+def field(case, time, name):
+    """Cell values of a field, or the one value of a uniform field."""
+    parts = [
+        _entry(_read(folder / name), "internalField")
+        for folder in _folders(case, time)
+    ]
+    return parts[0] if len(parts) == 1 else np.concatenate(parts)
+
+
+def patch_field(case, time, name, patch):
+    """Face values of a field on a patch (reconstructed cases only)."""
+    text = _read(_folders(case, time)[0] / name)
+    boundary = text[text.index("boundaryField"):]
+    match = re.search(rf"\b{patch}\s*\{{(.*?)\n\s*\}}", boundary, re.S)
+    if not match:
+        raise KeyError(f"{name} has no patch {patch}")
+    return _entry(match[1], "value")
+
+
+# Fields of a cloud
+
+
+def cloud_field(case, time, cloud, name):
+    """Values of a cloud's field, one row a parcel, rank after rank."""
+    parts = [
+        _list(_read(folder / "lagrangian" / cloud / name))
+        for folder in _folders(case, time)
+        if _has(folder / "lagrangian" / cloud / name)
+    ]
+    if not parts:
+        raise FileNotFoundError(f"{case}/{time}/lagrangian/{cloud}/{name}")
+    return np.concatenate([part for part in parts if part.size] or parts[:1])
+
+
+def _has(path):
+    return path.exists() or path.with_name(path.name + ".gz").exists()
+
+
+def positions(case, time, cloud):
+    """Cartesian positions of a cloud's parcels."""
+    parts = []
+    for folder in _folders(case, time):
+        path = folder / "lagrangian" / cloud / "positions"
+        if _has(path):
+            rows = re.findall(
+                rf"\(\s*({_NUMBER})\s+({_NUMBER})\s+({_NUMBER})\s*\)",
+                _read(path),
+            )
+            parts.append(np.array(rows, float).reshape(-1, 3))
+    if not parts:
+        raise FileNotFoundError(f"{case}/{time}/lagrangian/{cloud}/positions")
+    return np.concatenate(parts)
+
+
+def cloud_by_id(case, time, cloud, *names):
+    """The named fields, all sorted by (origProcId, origId), so that two runs
+    can be compared parcel by parcel; 'positions' is a name too."""
+    identity = [
+        cloud_field(case, time, cloud, name)
+        for name in ("origId", "origProcId")
+    ]
+    order = np.lexsort(identity)
+    read = {
+        name: positions(case, time, cloud)
+        if name == "positions"
+        else cloud_field(case, time, cloud, name)
+        for name in names
+    }
+    return {name: values[order] for name, values in read.items()}
+
+
+# Logs
+
+
+def log_values(path, text):
+    """All numbers that follow the text in a log, one a line with it."""
+    pattern = rf"{text}[ =:]*({_NUMBER})"
+    return np.array(re.findall(pattern, Path(path).read_text()), float)
+
+
+def table(path):
+    """Numbers of a function object's table, one row a time; vectors count as
+    three columns."""
+    rows = [
+        _numbers(line)
+        for line in Path(path).read_text().splitlines()
+        if line.strip() and not line.lstrip().startswith("#")
+    ]
+    return np.array(rows)

@@ -1,0 +1,332 @@
+/*---------------------------------------------------------------------------*\
+    cghsFoam | coarse-grained hard spheres in OpenFOAM
+    GPL-3.0-or-later, see LICENSE
+-------------------------------------------------------------------------------
+Description
+    The sweeps that push apart what impacts leave overlapping.
+
+\*---------------------------------------------------------------------------*/
+
+#include "correctionModel.H"
+#include "twoBodies.H"
+#include "balance.H"
+#include "complaint.H"
+#include "claim.H"
+#include "StringStream.H"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+
+namespace Foam
+{
+namespace cghs
+{
+
+namespace
+{
+
+autoPtr<correctionModel> velocityCorrectionOf
+(
+    const scalar overlapShare,
+    const scalar velocityShare
+)
+{
+    OStringStream text;
+    text.precision(17);
+    text<< "correctionModel velocity; velocityCoeffs { nSweeps 3; overlapShare "
+        << overlapShare << "; velocityShare " << velocityShare << "; }";
+
+    return correctionModel::New(dictionaryOf(text.str().c_str()));
+}
+
+
+//- Spheres of all sizes thrown into a box too small for them
+struct heap
+{
+    List<sphere> spheres;
+    List<motion> motions;
+    List<vector> spins;
+    List<contact> contacts;
+
+    bodies view() { return bodies{spheres, motions, spins}; }
+};
+
+
+void findContacts(heap& h)
+{
+    for (label i = 0; i < h.spheres.size(); ++i)
+    {
+        for (label j = i + 1; j < h.spheres.size(); ++j)
+        {
+            const vector d(h.spheres[j].x - h.spheres[i].x);
+            const scalar radii = h.spheres[i].r + h.spheres[j].r;
+
+            if (mag(d) < radii)
+            {
+                h.contacts.append
+                (
+                    makeContact(i, j, contact::parcelParcel, d, radii)
+                );
+            }
+        }
+    }
+}
+
+
+heap randomHeap(sampler& random)
+{
+    const label n = 40;
+    const scalar box = 6e-3;
+
+    heap h;
+    for (label i = 0; i < n; ++i)
+    {
+        const scalar r = random.acrossDecades(2e-4, 2e-3);
+        const vector x(random.inBox(vector::zero, vector::uniform(box)));
+        const scalar speed = random.acrossDecades(1e-3, 1);
+        h.spheres.append(sphere(x, r));
+        h.motions.append(motion(speed*random.direction(), 1/(1e4*pow3(r))));
+        h.spins.append((speed/r)*random.direction());
+    }
+    findContacts(h);
+    return h;
+}
+
+
+const scalar deltaT = 1e-3;
+
+//- Call visit(model, heap) for heaps under various strengths
+template<class Visitor>
+void forEachHeap(const label seed, const Visitor& visit)
+{
+    sampler random(seed);
+
+    for (const scalar overlapShare : {0.0, 0.1, 1.0})
+    {
+        for (const scalar velocityShare : {0.0, 0.5, 1.0})
+        {
+            for (label i = 0; i < 20; ++i)
+            {
+                auto model = velocityCorrectionOf(overlapShare, velocityShare);
+                visit(*model, randomHeap(random));
+            }
+        }
+    }
+}
+
+}
+
+
+TEST_CASE("Corrections keep momentum, and leave spins alone", "[correction]")
+{
+    claim linear("correction.linearMomentum", 1e-15);
+    claim angular("correction.angularMomentum", 2e-15);
+    claim unturned("correction.spinsUntouched", 0);
+
+    forEachHeap(61, [&](const correctionModel& model, heap h)
+    {
+        bodies b(h.view());
+        const vector P(linearMomentum(b));
+        const vector L(angularMomentum(b));
+        const List<vector> spins(h.spins);
+
+        for (label sweepi = 0; sweepi < model.nSweeps(); ++sweepi)
+        {
+            model.sweep(sweepi, h.contacts, b, deltaT);
+        }
+
+        linear.see(mag(linearMomentum(b) - P)/momentumScale(b));
+        angular.see(mag(angularMomentum(b) - L)/angularMomentumScale(b));
+        unturned.count(h.spins == spins);
+    });
+
+    linear.settle();
+    angular.settle();
+    unturned.settle();
+}
+
+
+TEST_CASE("The work that a correction reports is the energy it adds",
+    "[correction]")
+{
+    claim balanced("correction.work", 1e-13);
+
+    forEachHeap(62, [&](const correctionModel& model, heap h)
+    {
+        bodies b(h.view());
+
+        for (label sweepi = 0; sweepi < model.nSweeps(); ++sweepi)
+        {
+            const scalar was = kineticEnergy(b);
+            const scalar work = model.sweep(sweepi, h.contacts, b, deltaT);
+            const scalar is = kineticEnergy(b);
+
+            balanced.see(mag(is - was - work)/max(was, is));
+        }
+    });
+
+    balanced.settle();
+}
+
+
+TEST_CASE("The push is the share of the overlap and that of the approach",
+    "[correction]")
+{
+    claim law("correction.partingSpeed", 1e-14);
+    claim room("correction.neverBeyondOverlap", 1e-14);
+    claim line("correction.alongNormal", 1e-14);
+    sampler random(63);
+
+    for (label i = 0; i < 3000; ++i)
+    {
+        const scalar ko = random.between(0, 1), kv = random.between(0, 1);
+        twoBodies p(random.below(2) ? randomPair(random) : randomWall(random));
+        const vector before0(p.motions[0].v), before1(p.motions[1].v);
+
+        // From slow overlaps that are far too deep to fast ones that graze
+        const scalar radii = p.spheres[0].r + p.spheres[1].r;
+        const scalar dt =
+            random.acrossDecades(1e-3, 1e3)*radii/p.speedScale();
+
+        bodies b(p.view());
+        const scalar vn = partingSpeed(p.touch, b);
+        velocityCorrectionOf(ko, kv)->sweep(0, List<contact>(1, p.touch), b, dt);
+        const scalar after = partingSpeed(p.touch, b);
+
+        const scalar limit = p.touch.overlap/dt;
+        const scalar scale = mag(before0) + mag(before1) + limit;
+        const vector change
+        (
+            (p.motions[1].v - before1) - (p.motions[0].v - before0)
+        );
+        law.see(mag(after - (ko*limit + (1 - kv)*vn))/scale);
+        room.see(max(after - limit, scalar(0))/scale);
+        line.see(mag(change - (change & p.touch.n)*p.touch.n)/scale);
+    }
+
+    law.settle();
+    room.settle();
+    line.settle();
+}
+
+
+TEST_CASE("velocityShare 1 alone stops an approach, and no more",
+    "[correction]")
+{
+    claim stopped("correction.stopsApproach", 1e-15);
+    auto model = velocityCorrectionOf(0, 1);
+    sampler random(64);
+
+    for (label i = 0; i < 2000; ++i)
+    {
+        twoBodies p(random.below(2) ? randomPair(random) : randomWall(random));
+        const scalar scale = p.speedScale();
+        bodies b(p.view());
+        model->sweep(0, List<contact>(1, p.touch), b, deltaT);
+
+        stopped.see(mag(partingSpeed(p.touch, b))/scale);
+    }
+
+    stopped.settle();
+}
+
+
+TEST_CASE("Corrections leave parting pairs alone", "[correction]")
+{
+    claim alone("correction.partingUntouched", 0);
+    auto model = velocityCorrectionOf(0.5, 1);
+    sampler random(65);
+
+    for (label i = 0; i < 2000; ++i)
+    {
+        twoBodies p(random.below(2) ? randomPair(random) : randomWall(random));
+        p.setNormalSpeed(mag(p.normalSpeed()));
+        const vector v0(p.motions[0].v), v1(p.motions[1].v);
+        bodies b(p.view());
+        const scalar work =
+            model->sweep(0, List<contact>(1, p.touch), b, deltaT);
+
+        alone.count
+        (
+            p.motions[0].v == v0 && p.motions[1].v == v1 && work == 0
+        );
+    }
+
+    alone.settle();
+}
+
+
+TEST_CASE("Corrections do not depend on the units", "[correction]")
+{
+    claim same("correction.unitInvariance", 1e-12);
+    sampler random(66);
+
+    forEachHeap(67, [&](const correctionModel& model, heap h)
+    {
+        const scalar L = random.acrossDecades(1e-6, 1e6);
+        const scalar T = random.acrossDecades(1e-6, 1e6);
+        const scalar M = random.acrossDecades(1e-6, 1e6);
+
+        heap scaled(h);
+        forAll(scaled.motions, i)
+        {
+            scaled.motions[i].v *= L/T;
+            scaled.motions[i].invMass /= M;
+        }
+        for (contact& c : scaled.contacts)
+        {
+            c.overlap *= L;
+        }
+
+        bodies here(h.view()), there(scaled.view());
+        for (label sweepi = 0; sweepi < model.nSweeps(); ++sweepi)
+        {
+            model.sweep(sweepi, h.contacts, here, deltaT);
+            model.sweep(sweepi, scaled.contacts, there, deltaT*T);
+        }
+
+        forAll(h.motions, i)
+        {
+            const vector& v = h.motions[i].v;
+            same.see(mag(scaled.motions[i].v/(L/T) - v)/(mag(v) + 1e-3));
+        }
+    });
+
+    same.settle();
+}
+
+
+TEST_CASE("Every other sweep runs through the list backwards", "[correction]")
+{
+    claim same("correction.alternatingOrder", 0);
+
+    forEachHeap(68, [&](const correctionModel& model, heap h)
+    {
+        heap mirrored(h);
+        std::reverse(mirrored.contacts.begin(), mirrored.contacts.end());
+        bodies here(h.view()), there(mirrored.view());
+        model.sweep(1, h.contacts, here, deltaT);
+        model.sweep(0, mirrored.contacts, there, deltaT);
+
+        forAll(h.motions, i)
+        {
+            same.count(h.motions[i].v == mirrored.motions[i].v);
+        }
+    });
+
+    same.settle();
+}
+
+
+TEST_CASE("The correction 'none' makes no sweeps", "[correction]")
+{
+    claim idle("correction.noneIsIdle", 0);
+    auto model = correctionModel::New(dictionaryOf("correctionModel none;"));
+
+    idle.see(model->nSweeps());
+    idle.settle();
+}
+
+} // End namespace cghs
+} // End namespace Foam
