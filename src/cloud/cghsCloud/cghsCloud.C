@@ -7,7 +7,7 @@
 #include "parcelFiles.H"
 #include "checkedEntry.H"
 #include "profiling.H"
-#include "calculatedFvPatchFields.H"
+#include "zeroGradientFvPatchFields.H"
 #include "PstreamReduceOps.H"
 #include "Time.H"
 

@@ -66,6 +66,39 @@ static Field<Type> readField
 }
 
 
+//- Writes each field that it is given
+struct fieldWriter
+{
+    const passiveParticleCloud& files;
+    IOstream::streamFormat fmt;
+    IOstream::versionNumber ver;
+    IOstream::compressionType cmp;
+
+    template<class Type>
+    void operator()(const word& name, const Field<Type>& values) const
+    {
+        IOField<Type>
+        (
+            files.fieldIOobject(name, IOobject::NO_READ),
+            values
+        ).writeObject(fmt, ver, cmp, values.size());
+    }
+};
+
+
+//- Puts each field that it is given into a registry
+struct fieldRegistrar
+{
+    objectRegistry& obr;
+
+    template<class Type>
+    void operator()(const word& name, const Field<Type>& values) const
+    {
+        cloud::createIOField<Type>(name, values.size(), obr) = values;
+    }
+};
+
+
 static void checkPositive(const passiveParticleCloud& files, const word& name)
 {
     const scalarField values(readField<scalar>(files, name));
@@ -189,52 +222,11 @@ void Foam::cghs::writeParcels
     files.writeObject(fmt, ver, cmp, true);
     particle::writeLagrangianPositions = positions;
 
-    struct writer
-    {
-        const passiveParticleCloud& files;
-        IOstream::streamFormat fmt;
-        IOstream::versionNumber ver;
-        IOstream::compressionType cmp;
-
-        void operator()(const word& name, const scalarField& f) const
-        {
-            write(name, f);
-        }
-        void operator()(const word& name, const vectorField& f) const
-        {
-            write(name, f);
-        }
-
-        template<class Type>
-        void write(const word& name, const Field<Type>& values) const
-        {
-            IOField<Type>
-            (
-                files.fieldIOobject(name, IOobject::NO_READ),
-                values
-            ).writeObject(fmt, ver, cmp, values.size());
-        }
-    };
-
-    forFields(parcels, writer{files, fmt, ver, cmp});
+    forFields(parcels, fieldWriter{files, fmt, ver, cmp});
 }
 
 
 void Foam::cghs::registerParcels(const arena& parcels, objectRegistry& obr)
 {
-    struct registrar
-    {
-        objectRegistry& obr;
-
-        void operator()(const word& name, const scalarField& f) const
-        {
-            cloud::createIOField<scalar>(name, f.size(), obr) = f;
-        }
-        void operator()(const word& name, const vectorField& f) const
-        {
-            cloud::createIOField<vector>(name, f.size(), obr) = f;
-        }
-    };
-
-    forFields(parcels, registrar{obr});
+    forFields(parcels, fieldRegistrar{obr});
 }

