@@ -35,8 +35,15 @@ static const int trapped =
     feenableexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW);
 #endif
 
+// A FatalError fails the test in which it occurs, not all that follow
+static const bool thrown[] =
+{
+    Foam::FatalError.throwExceptions(),
+    Foam::FatalIOError.throwExceptions()
+};
 
-//- A FatalError that nobody expected is reported with its message
+
+//- An error that nobody expected is reported with its message
 CATCH_TRANSLATE_EXCEPTION(const Foam::error& e)
 {
     return e.message();

@@ -213,7 +213,7 @@ int main(int argc, char *argv[])
 
     // ---- Write ------------------------------------------------------------
 
-    arena parcels(false);
+    arena parcels(false, false);
     parcels.append(velocities.size());
 
     forAll(velocities, i)

@@ -7,10 +7,11 @@
 #include "mathematicalConstants.H"
 #include "error.H"
 
-Foam::cghs::arena::arena(const bool spinning)
+Foam::cghs::arena::arena(const bool spinning, const bool shifting)
 :
     size_(0),
-    spinning_(spinning)
+    spinning_(spinning),
+    shifting_(shifting)
 {
     add(spheres);
     add(motions);
@@ -69,6 +70,16 @@ void Foam::cghs::arena::dismissGuests()
     if (spinning_)
     {
         spins.resize(size_);
+    }
+}
+
+
+void Foam::cghs::arena::clearShifts()
+{
+    if (shifting_)
+    {
+        shifts.resize(spheres.size());
+        shifts = Zero;
     }
 }
 

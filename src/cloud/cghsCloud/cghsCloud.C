@@ -59,22 +59,6 @@ Foam::IOdictionary Foam::cghs::cghsCloud::readProperties
 }
 
 
-Foam::direction Foam::cghs::cghsCloud::layerAxis(const vector& g)
-{
-    direction axis = 2;
-
-    for (const direction d : {0, 1})
-    {
-        if (mag(g[d]) > mag(g[axis]))
-        {
-            axis = d;
-        }
-    }
-
-    return axis;
-}
-
-
 Foam::scalar Foam::cghs::cghsCloud::largestDiameter() const
 {
     scalar d = 0;
@@ -116,7 +100,7 @@ Foam::cghs::cghsCloud::cghsCloud
             )
         )
     ),
-    parcels_(contactModel_->needsSpin()),
+    parcels_(contactModel_->needsSpin(), contactModel_->needsShifts()),
     transport_(mesh, properties_.subDict("boundary")),
     contacts_
     (
@@ -125,9 +109,14 @@ Foam::cghs::cghsCloud::cghsCloud
         mesh,
         transport_.wallPatches(),
         transport::periods(mesh),
-        layerAxis(g)
+        g
     )
 {
+    if (contacts_.needed())
+    {
+        parcels_.add(contacts_.formerIndices());
+    }
+
     if (coupling_ != couplingType::none)
     {
         suspension_.reset(new suspension(subModels(), g, mesh.nCells()));
@@ -170,6 +159,7 @@ void Foam::cghs::cghsCloud::solidsStep
 {
     if (contacts_.needed() ? contacts_.stale() : state_.crossed)
     {
+        contacts_.noteIndices(parcels_);
         transport_.settle(parcels_);
 
         if (contacts_.needed())
@@ -197,7 +187,7 @@ void Foam::cghs::cghsCloud::solidsStep
     }
 
     state_ = transport_.move(parcels_, deltaT);
-    contacts_.moved(state_.maxSpeed*deltaT);
+    contacts_.moved(state_.maxDistance);
 }
 
 

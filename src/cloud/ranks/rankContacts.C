@@ -129,6 +129,10 @@ void Foam::cghs::rankContacts::packMotions
         {
             append(parcels.spins[i]);
         }
+        if (parcels.shifting())
+        {
+            append(parcels.shifts[i]);
+        }
     }
 }
 
@@ -155,6 +159,10 @@ void Foam::cghs::rankContacts::unpackMotions
         if (parcels.spinning())
         {
             parcels.spins[i] = next();
+        }
+        if (parcels.shifting())
+        {
+            parcels.shifts[i] = next();
         }
     }
 }
@@ -231,6 +239,7 @@ void Foam::cghs::rankContacts::schedule
         m.resolver = me < m.rank;
         m.guests.clear();
         m.contacts.clear();
+        m.previous.clear();
     }
 }
 
@@ -441,6 +450,7 @@ void Foam::cghs::rankContacts::clearContacts()
 {
     for (meeting& m : meetings_)
     {
+        m.previous.swap(m.contacts);
         m.contacts.clear();
     }
 }
@@ -451,7 +461,7 @@ void Foam::cghs::rankContacts::lend(arena& parcels, const meeting& m)
     packMotions(parcels, m.guests);
     send(m.rank);
 
-    receive(m.rank, m.guests.size()*(parcels.spinning() ? 6 : 3));
+    receive(m.rank, m.guests.size()*motionSize(parcels));
     unpackMotions(parcels, m.guests);
 }
 

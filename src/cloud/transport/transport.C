@@ -362,23 +362,21 @@ Foam::cghs::transport::report Foam::cghs::transport::survey
     const arena& parcels
 ) const
 {
-    report r;
-    scalar maxSpeedSqr = 0;
     scalar maxRateSqr = 0;
 
     for (label i = 0; i < parcels.size(); ++i)
     {
-        const scalar speedSqr = magSqr(parcels.motions[i].v);
-
-        maxSpeedSqr = max(maxSpeedSqr, speedSqr);
-        maxRateSqr = max(maxRateSqr, speedSqr/sqr(2*parcels.spheres[i].r));
+        maxRateSqr =
+            max
+            (
+                maxRateSqr,
+                magSqr(parcels.motions[i].v)/sqr(2*parcels.spheres[i].r)
+            );
     }
+    reduce(maxRateSqr, maxOp<scalar>());
 
-    vector global(maxSpeedSqr, maxRateSqr, 0);
-    reduce(global, maxOp<vector>());
-
-    r.maxSpeed = sqrt(global.x());
-    r.diameterTime = 1/max(sqrt(global.y()), VSMALL);
+    report r;
+    r.diameterTime = 1/max(sqrt(maxRateSqr), VSMALL);
     return r;
 }
 
@@ -391,7 +389,8 @@ Foam::cghs::transport::report Foam::cghs::transport::move
 {
     addProfiling(move, "cghs::move");
 
-    scalar maxSpeedSqr = 0;
+    const bool shifting = parcels.shifting() && parcels.shifts.size();
+    scalar maxDistanceSqr = 0;
     scalar maxRateSqr = 0;
     bool crossed = false;
 
@@ -401,11 +400,16 @@ Foam::cghs::transport::report Foam::cghs::transport::move
         vector& v = parcels.motions[i].v;
 
         v = cmptMultiply(v, freedom_);
-        s.x += deltaT*v;
 
-        const scalar speedSqr = magSqr(v);
-        maxSpeedSqr = max(maxSpeedSqr, speedSqr);
-        maxRateSqr = max(maxRateSqr, speedSqr/sqr(2*s.r));
+        vector path(deltaT*v);
+        if (shifting)
+        {
+            path += parcels.shifts[i];
+        }
+        s.x += path;
+
+        maxDistanceSqr = max(maxDistanceSqr, magSqr(path));
+        maxRateSqr = max(maxRateSqr, magSqr(v)/sqr(2*s.r));
 
         const label facei = locator_.follow(s.x, parcels.cells[i]);
 
@@ -424,11 +428,11 @@ Foam::cghs::transport::report Foam::cghs::transport::move
         }
     }
 
-    vector global(maxSpeedSqr, maxRateSqr, crossed);
+    vector global(maxDistanceSqr, maxRateSqr, crossed);
     reduce(global, maxOp<vector>());
 
     report r;
-    r.maxSpeed = sqrt(global.x());
+    r.maxDistance = sqrt(global.x());
     r.diameterTime = 1/max(sqrt(global.y()), VSMALL);
     r.crossed = global.z() > 0;
     return r;

@@ -191,11 +191,14 @@ void Foam::cghs::wallSurfaces::appendContacts
     const label i,
     const sphere& s,
     const label wallBody,
+    const scalar margin,
     DynamicList<contact>& contacts
 ) const
 {
     // Nearness of two points, or of a point and a plane, in radii
     constexpr scalar tolerance = 1e-6;
+
+    const scalar reach = s.r*(1 + 2*margin);
 
     struct near
     {
@@ -211,7 +214,7 @@ void Foam::cghs::wallSurfaces::appendContacts
         const scalar height = (t.a - s.x) & t.normal;
 
         // Out of reach of the plane, or behind a baffle
-        if (height > s.r || height < 0)
+        if (height > reach || height < 0)
         {
             continue;
         }
@@ -219,7 +222,7 @@ void Foam::cghs::wallSurfaces::appendContacts
         const nearestOnTriangle p = closestPoint(t.a, t.b, t.c, s.x);
         const vector d(p.point - s.x);
 
-        if (magSqr(d) < sqr(s.r))
+        if (magSqr(d) < sqr(reach))
         {
             const bool centred = mag(d) < tolerance*s.r;
             found.append
@@ -258,7 +261,7 @@ void Foam::cghs::wallSurfaces::appendContacts
         {
             contacts.append
             (
-                makeContact(i, wallBody, contact::parcelWall, f.d, s.r)
+                makeContact(i, wallBody, contact::parcelWall, i, f.d, s.r)
             );
         }
     }
@@ -269,6 +272,7 @@ void Foam::cghs::wallSurfaces::touch
 (
     const UList<sphere>& spheres,
     const label wallBody,
+    const scalar margin,
     DynamicList<contact>& contacts
 ) const
 {
@@ -276,7 +280,7 @@ void Foam::cghs::wallSurfaces::touch
     {
         if (start_[i] != start_[i + 1])
         {
-            appendContacts(i, spheres[i], wallBody, contacts);
+            appendContacts(i, spheres[i], wallBody, margin, contacts);
         }
     }
 }

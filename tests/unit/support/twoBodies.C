@@ -50,7 +50,7 @@ static void makeApproach(twoBodies& pair, sampler& random)
 
     if (rarely(random))
     {
-        pair.setContactVelocity(vn*pair.touch.n);
+        pair.setContactVelocity(vn*pair.touch().n);
     }
 }
 
@@ -66,17 +66,20 @@ bool Foam::cghs::twoBodies::hasWall() const
 
 void Foam::cghs::twoBodies::setContact()
 {
-    touch = makeContact
+    contact c = makeContact
     (
         0,
         1,
         hasWall() ? contact::parcelWall : contact::parcelParcel,
+        0,
         spheres[1].x - spheres[0].x,
         spheres[0].r + spheres[1].r
     );
 
     // Rounding may part those that barely touch
-    touch.overlap = max(touch.overlap, scalar(0));
+    c.overlap = max(c.overlap, scalar(0));
+
+    contacts = List<contact>(1, c);
 }
 
 
@@ -88,7 +91,7 @@ void Foam::cghs::twoBodies::setContactVelocity(const vector& vc)
 
 void Foam::cghs::twoBodies::setNormalSpeed(const scalar vn)
 {
-    motions[0].v += (normalSpeed() - vn)*touch.n;
+    motions[0].v += (normalSpeed() - vn)*touch().n;
 }
 
 
@@ -207,7 +210,7 @@ Foam::cghs::twoBodies Foam::cghs::afterImpact
 {
     twoBodies after(pair);
     bodies b(after.view());
-    collide(after.touch, b, coeffs);
+    collide(after.touch(), b, coeffs);
     return after;
 }
 

@@ -70,21 +70,25 @@ bool Foam::cghs::hardSphere::needsSpin() const
 void Foam::cghs::hardSphere::sweep
 (
     const label sweepi,
-    const UList<contact>& contacts,
+    UList<contact>& contacts,
     bodies& b,
-    const scalar deltaT
+    const stepScales& step
 )
 {
     if (sweepi == 0)
     {
+        correction_->begin(contacts, b, step);
+
+        const scalar restingSpeed = correction_->restingSteps()*step.speed;
+
         for (const contact& c : contacts)
         {
-            collide(c, b, coeffs_[c.surface]);
+            collide(c, b, coeffs_[c.surface], restingSpeed);
         }
     }
     else
     {
         tally_.correctionWork +=
-            correction_->sweep(sweepi - 1, contacts, b, deltaT);
+            correction_->sweep(sweepi - 1, contacts, b, coeffs_, step);
     }
 }

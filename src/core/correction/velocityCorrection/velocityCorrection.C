@@ -29,12 +29,13 @@ Foam::cghs::velocityCorrection::velocityCorrection(const dictionary& dict)
 Foam::scalar Foam::cghs::velocityCorrection::sweep
 (
     const label sweepi,
-    const UList<contact>& contacts,
+    UList<contact>& contacts,
     bodies& b,
-    const scalar deltaT
+    const impactTable&,
+    const stepScales& step
 ) const
 {
-    const scalar rDeltaT = 1/deltaT;
+    const scalar rDeltaT = 1/step.deltaT;
     const label n = contacts.size();
 
     // What presses on a bed comes from one end of the list: every other sweep

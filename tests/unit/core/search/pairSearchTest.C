@@ -538,7 +538,10 @@ TEST_CASE("A search can be used again and again", "[search]")
         );
         const scene t(sorted(search, s));
         search.build(t.spheres, t.nOwn, t.skin);
-        complete.see(mismatch(found(search, t), expected(s, s.skin)));
+
+        const pairList pairs(found(search, t));
+        complete.see(mismatch(pairs, expected(s, s.skin)));
+        complete.see(mag(search.nPairs() - label(pairs.size())));
     }
 
     complete.settle();

@@ -29,7 +29,7 @@ TEST_CASE("A contact's normal points from the first to the second", "[contact]")
     {
         const vector d(random.acrossDecades(1e-9, 1)*random.direction());
         const scalar radii = mag(d)*random.between(1, 2);
-        const contact c = makeContact(3, 7, contact::parcelParcel, d, radii);
+        const contact c = makeContact(3, 7, contact::parcelParcel, 5, d, radii);
 
         length.see(mag(mag(c.n) - 1));
         place.see(mag(mag(d)*c.n - d)/mag(d));
@@ -51,7 +51,7 @@ TEST_CASE("Coincident spheres have a normal all the same", "[contact]")
     for (const scalar distance : {0.0, 5e-324, 1e-305, 1e-200, 1e-160})
     {
         const vector d(0, distance, 0);
-        const contact c = makeContact(0, 1, contact::parcelParcel, d, 2e-3);
+        const contact c = makeContact(0, 1, contact::parcelParcel, 0, d, 2e-3);
 
         normal.see(mag(mag(c.n) - 1));
         depth.see(mag(c.overlap - 2e-3));

@@ -38,13 +38,11 @@ scalar criticalFriction(const twoBodies& pair, const scalar en, const scalar et)
 //- Without overlap, where the chapter's lever arms hold
 void separateToTouch(twoBodies& pair)
 {
-    const vector n(pair.touch.n);
+    contact& touch = pair.contacts[0];
     const scalar radii = pair.spheres[0].r + pair.spheres[1].r;
 
-    pair.spheres[1].x = pair.spheres[0].x + radii*n;
-    pair.setContact();
-    pair.touch.n = n;
-    pair.touch.overlap = 0;
+    pair.spheres[1].x = pair.spheres[0].x + radii*touch.n;
+    touch.overlap = 0;
 }
 
 
@@ -54,7 +52,7 @@ twoBodies chapterImpact(const twoBodies& pair, const impactCoeffs& k)
     twoBodies p(pair);
     const scalar mi = p.motions[0].mass(), mj = p.motions[1].mass();
     const scalar ri = p.spheres[0].r, rj = p.spheres[1].r;
-    const vector n(p.touch.n);
+    const vector n(p.touch().n);
 
     const scalar me = mi*mj/(mi + mj);
     const vector vc
@@ -112,8 +110,8 @@ TEST_CASE("Equal elastic spheres exchange velocities head-on", "[contact]")
         twoBodies p(randomPair(random));
         p.spins = Zero;
         p.motions[1].invMass = p.motions[0].invMass;
-        p.motions[0].v = random.between(0.1, 1)*p.touch.n;
-        p.motions[1].v = -random.between(0.1, 1)*p.touch.n;
+        p.motions[0].v = random.between(0.1, 1)*p.touch().n;
+        p.motions[1].v = -random.between(0.1, 1)*p.touch().n;
         const twoBodies q(afterImpact(p, elastic));
 
         exchanged.see(mag(q.motions[0].v - p.motions[1].v)/p.speedScale());
@@ -157,7 +155,7 @@ TEST_CASE("A smooth pair slides: friction is mu times the normal impulse",
 
         const twoBodies after(afterImpact(before, k));
 
-        const vector n(before.touch.n);
+        const vector n(before.touch().n);
         const vector J(impulseBetween(before, after));
         const vector friction((-k.mu*(J & n)/mag(before.slip()))*before.slip());
 
@@ -186,7 +184,7 @@ TEST_CASE("A pair without friction is not turned and feels no tangential pull",
 
         smooth.see
         (
-            mag(J - (J & before.touch.n)*before.touch.n)
+            mag(J - (J & before.touch().n)*before.touch().n)
            /(before.normalMass()*before.speedScale())
         );
         unturned.count(after.spins == before.spins);
@@ -226,10 +224,10 @@ TEST_CASE("Sticking turns into sliding at the chapter's angle", "[contact]")
         const scalar less = mu*(1 - 1e-3);
         const twoBodies slid(afterImpact(p, impactCoeffs{en, et, less}));
         const vector J(impulseBetween(p, slid));
-        const scalar Jn = J & p.touch.n;
+        const scalar Jn = J & p.touch().n;
         above.see
         (
-            mag(mag(J - Jn*p.touch.n) - less*Jn)
+            mag(mag(J - Jn*p.touch().n) - less*Jn)
            /(p.normalMass()*p.speedScale())
         );
     }
@@ -247,7 +245,7 @@ TEST_CASE("A normal impact loses 1/2 m_e (1 - e^2) v_n^2", "[contact]")
     {
         if (before.hasWall()) return;
 
-        before.setContactVelocity(before.normalSpeed()*before.touch.n);
+        before.setContactVelocity(before.normalSpeed()*before.touch().n);
         twoBodies after(afterImpact(before, k));
         const scalar was = kineticEnergy(before.view());
         const scalar is = kineticEnergy(after.view());
@@ -300,7 +298,8 @@ TEST_CASE("At touch the impact is the chapter's, as mended", "[contact]")
         const twoBodies after(afterImpact(before, k));
         same.see
         (
-            largestDifference(after, chapterImpact(before, k))/before.speedScale()
+            largestDifference(after, chapterImpact(before, k))
+           /before.speedScale()
         );
     });
 

@@ -42,7 +42,7 @@ twoBodies rotated(const twoBodies& pair, const tensor& R)
         p.motions[i].v = R & p.motions[i].v;
         p.spins[i] = R & p.spins[i];
     }
-    p.touch.n = R & p.touch.n;
+    p.contacts[0].n = R & p.touch().n;
     return p;
 }
 
@@ -53,7 +53,7 @@ twoBodies renumbered(const twoBodies& pair)
     Swap(p.spheres[0], p.spheres[1]);
     Swap(p.motions[0], p.motions[1]);
     Swap(p.spins[0], p.spins[1]);
-    p.touch.n = -p.touch.n;
+    p.contacts[0].n = -p.touch().n;
     return p;
 }
 
@@ -76,7 +76,7 @@ twoBodies inUnits
         p.motions[i].invMass /= mass;
         p.spins[i] /= time;
     }
-    p.touch.overlap *= length;
+    p.contacts[0].overlap *= length;
     return p;
 }
 

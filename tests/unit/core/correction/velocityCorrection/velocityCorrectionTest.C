@@ -41,32 +41,42 @@ autoPtr<correctionModel> velocityCorrectionOf
 }
 
 
-//- Spheres of all sizes thrown into a box too small for them
-struct heap
+const impactTable coeffs
+({
+    impactCoeffs{0.9, 0.3, 0.1}, impactCoeffs{0.9, 0.3, 0.1}
+});
+
+
+scalar sweep
+(
+    const correctionModel& model,
+    const label sweepi,
+    bodyScene& scene,
+    const scalar deltaT
+)
 {
-    List<sphere> spheres;
-    List<motion> motions;
-    List<vector> spins;
-    List<contact> contacts;
-
-    bodies view() { return bodies{spheres, motions, spins}; }
-};
+    bodies b(scene.view());
+    return
+        model.sweep(sweepi, scene.contacts, b, coeffs, stepScales{deltaT, 0});
+}
 
 
-void findContacts(heap& h)
+//- All pairs that overlap
+void findContacts(bodyScene& heap)
 {
-    for (label i = 0; i < h.spheres.size(); ++i)
+    for (label i = 0; i < heap.size(); ++i)
     {
-        for (label j = i + 1; j < h.spheres.size(); ++j)
+        for (label j = i + 1; j < heap.size(); ++j)
         {
-            const vector d(h.spheres[j].x - h.spheres[i].x);
-            const scalar radii = h.spheres[i].r + h.spheres[j].r;
+            const vector d(heap.spheres[j].x - heap.spheres[i].x);
+            const scalar radii = heap.spheres[i].r + heap.spheres[j].r;
 
             if (mag(d) < radii)
             {
-                h.contacts.append
+                const label slot = heap.contacts.size();
+                heap.contacts.append
                 (
-                    makeContact(i, j, contact::parcelParcel, d, radii)
+                    makeContact(i, j, contact::parcelParcel, slot, d, radii)
                 );
             }
         }
@@ -74,23 +84,25 @@ void findContacts(heap& h)
 }
 
 
-heap randomHeap(sampler& random)
+//- Spheres of all sizes thrown into a box too small for them
+bodyScene randomHeap(sampler& random)
 {
-    const label n = 40;
     const scalar box = 6e-3;
+    bodyScene heap(40);
 
-    heap h;
-    for (label i = 0; i < n; ++i)
+    forAll(heap.spheres, i)
     {
         const scalar r = random.acrossDecades(2e-4, 2e-3);
         const vector x(random.inBox(vector::zero, vector::uniform(box)));
         const scalar speed = random.acrossDecades(1e-3, 1);
-        h.spheres.append(sphere(x, r));
-        h.motions.append(motion(speed*random.direction(), 1/(1e4*pow3(r))));
-        h.spins.append((speed/r)*random.direction());
+
+        heap.spheres[i] = sphere(x, r);
+        heap.motions[i] = motion(speed*random.direction(), 1/(1e4*pow3(r)));
+        heap.spins[i] = (speed/r)*random.direction();
     }
-    findContacts(h);
-    return h;
+
+    findContacts(heap);
+    return heap;
 }
 
 
@@ -124,7 +136,7 @@ TEST_CASE("Corrections keep momentum, and leave spins alone", "[correction]")
     claim angular("correction.angularMomentum", 2e-15);
     claim unturned("correction.spinsUntouched", 0);
 
-    forEachHeap(61, [&](const correctionModel& model, heap h)
+    forEachHeap(61, [&](const correctionModel& model, bodyScene h)
     {
         bodies b(h.view());
         const vector P(linearMomentum(b));
@@ -133,7 +145,7 @@ TEST_CASE("Corrections keep momentum, and leave spins alone", "[correction]")
 
         for (label sweepi = 0; sweepi < model.nSweeps(); ++sweepi)
         {
-            model.sweep(sweepi, h.contacts, b, deltaT);
+            sweep(model, sweepi, h, deltaT);
         }
 
         linear.see(mag(linearMomentum(b) - P)/momentumScale(b));
@@ -152,14 +164,14 @@ TEST_CASE("The work that a correction reports is the energy it adds",
 {
     claim balanced("correction.work", 1e-13);
 
-    forEachHeap(62, [&](const correctionModel& model, heap h)
+    forEachHeap(62, [&](const correctionModel& model, bodyScene h)
     {
         bodies b(h.view());
 
         for (label sweepi = 0; sweepi < model.nSweeps(); ++sweepi)
         {
             const scalar was = kineticEnergy(b);
-            const scalar work = model.sweep(sweepi, h.contacts, b, deltaT);
+            const scalar work = sweep(model, sweepi, h, deltaT);
             const scalar is = kineticEnergy(b);
 
             balanced.see(mag(is - was - work)/max(was, is));
@@ -189,12 +201,11 @@ TEST_CASE("The push is the share of the overlap and that of the approach",
         const scalar dt =
             random.acrossDecades(1e-3, 1e3)*radii/p.speedScale();
 
-        bodies b(p.view());
-        const scalar vn = partingSpeed(p.touch, b);
-        velocityCorrectionOf(ko, kv)->sweep(0, List<contact>(1, p.touch), b, dt);
-        const scalar after = partingSpeed(p.touch, b);
+        const scalar vn = partingSpeed(p.touch(), p.view());
+        sweep(*velocityCorrectionOf(ko, kv), 0, p, dt);
+        const scalar after = partingSpeed(p.touch(), p.view());
 
-        const scalar limit = p.touch.overlap/dt;
+        const scalar limit = p.touch().overlap/dt;
         const scalar scale = mag(before0) + mag(before1) + limit;
         const vector change
         (
@@ -202,7 +213,7 @@ TEST_CASE("The push is the share of the overlap and that of the approach",
         );
         law.see(mag(after - (ko*limit + (1 - kv)*vn))/scale);
         room.see(max(after - limit, scalar(0))/scale);
-        line.see(mag(change - (change & p.touch.n)*p.touch.n)/scale);
+        line.see(mag(change - (change & p.touch().n)*p.touch().n)/scale);
     }
 
     law.settle();
@@ -222,10 +233,9 @@ TEST_CASE("velocityShare 1 alone stops an approach, and no more",
     {
         twoBodies p(random.below(2) ? randomPair(random) : randomWall(random));
         const scalar scale = p.speedScale();
-        bodies b(p.view());
-        model->sweep(0, List<contact>(1, p.touch), b, deltaT);
+        sweep(*model, 0, p, deltaT);
 
-        stopped.see(mag(partingSpeed(p.touch, b))/scale);
+        stopped.see(mag(partingSpeed(p.touch(), p.view()))/scale);
     }
 
     stopped.settle();
@@ -243,9 +253,7 @@ TEST_CASE("Corrections leave parting pairs alone", "[correction]")
         twoBodies p(random.below(2) ? randomPair(random) : randomWall(random));
         p.setNormalSpeed(mag(p.normalSpeed()));
         const vector v0(p.motions[0].v), v1(p.motions[1].v);
-        bodies b(p.view());
-        const scalar work =
-            model->sweep(0, List<contact>(1, p.touch), b, deltaT);
+        const scalar work = sweep(*model, 0, p, deltaT);
 
         alone.count
         (
@@ -262,13 +270,13 @@ TEST_CASE("Corrections do not depend on the units", "[correction]")
     claim same("correction.unitInvariance", 1e-12);
     sampler random(66);
 
-    forEachHeap(67, [&](const correctionModel& model, heap h)
+    forEachHeap(67, [&](const correctionModel& model, bodyScene h)
     {
         const scalar L = random.acrossDecades(1e-6, 1e6);
         const scalar T = random.acrossDecades(1e-6, 1e6);
         const scalar M = random.acrossDecades(1e-6, 1e6);
 
-        heap scaled(h);
+        bodyScene scaled(h);
         forAll(scaled.motions, i)
         {
             scaled.motions[i].v *= L/T;
@@ -279,11 +287,10 @@ TEST_CASE("Corrections do not depend on the units", "[correction]")
             c.overlap *= L;
         }
 
-        bodies here(h.view()), there(scaled.view());
         for (label sweepi = 0; sweepi < model.nSweeps(); ++sweepi)
         {
-            model.sweep(sweepi, h.contacts, here, deltaT);
-            model.sweep(sweepi, scaled.contacts, there, deltaT*T);
+            sweep(model, sweepi, h, deltaT);
+            sweep(model, sweepi, scaled, deltaT*T);
         }
 
         forAll(h.motions, i)
@@ -301,13 +308,12 @@ TEST_CASE("Every other sweep runs through the list backwards", "[correction]")
 {
     claim same("correction.alternatingOrder", 0);
 
-    forEachHeap(68, [&](const correctionModel& model, heap h)
+    forEachHeap(68, [&](const correctionModel& model, bodyScene h)
     {
-        heap mirrored(h);
+        bodyScene mirrored(h);
         std::reverse(mirrored.contacts.begin(), mirrored.contacts.end());
-        bodies here(h.view()), there(mirrored.view());
-        model.sweep(1, h.contacts, here, deltaT);
-        model.sweep(0, mirrored.contacts, there, deltaT);
+        sweep(model, 1, h, deltaT);
+        sweep(model, 0, mirrored, deltaT);
 
         forAll(h.motions, i)
         {

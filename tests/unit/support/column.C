@@ -1,0 +1,176 @@
+/*---------------------------------------------------------------------------*\
+    cghsFoam | coarse-grained hard spheres in OpenFOAM
+    GPL-3.0-or-later, see LICENSE
+\*---------------------------------------------------------------------------*/
+
+#include "column.H"
+#include "complaint.H"
+
+#include <algorithm>
+#include <sstream>
+
+constexpr Foam::scalar Foam::cghs::column::d;
+constexpr Foam::scalar Foam::cghs::column::mass;
+constexpr Foam::scalar Foam::cghs::column::deltaT;
+constexpr Foam::scalar Foam::cghs::column::g;
+
+
+namespace Foam
+{
+namespace cghs
+{
+
+static autoPtr<contactModel> modelOf(const column::settings& s)
+{
+    std::ostringstream text;
+    text<< "contactModel hardSphere; hardSphereCoeffs { parcelParcel {"
+        << " restitutionCoefficient " << s.e << ';'
+        << " tangentialRestitutionCoefficient 0.95;"
+        << " frictionCoefficient 0.1; }"
+        << " parcelWall { $parcelParcel; } restitutionScaling unscaled; "
+        << s.correction << '}';
+
+    return contactModel::New(dictionaryOf(text.str().c_str()), 1);
+}
+
+}
+}
+
+
+std::string Foam::cghs::velocityCorrectionEntries
+(
+    const label nSweeps,
+    const scalar overlapShare
+)
+{
+    std::ostringstream text;
+    text<< "correctionModel velocity; velocityCoeffs { nSweeps " << nSweeps
+        << "; overlapShare " << overlapShare << "; velocityShare 1; }";
+    return text.str();
+}
+
+
+Foam::cghs::column::column
+(
+    const label n,
+    const settings& s,
+    const scalar gap
+)
+:
+    settings_(s),
+    model_(modelOf(s)),
+    n_(n),
+    scene_(n + 1)
+{
+    for (label i = 0; i < n; ++i)
+    {
+        const scalar z = (0.5 + i)*d + (i + 1)*gap;
+        scene_.spheres[i] = sphere(vector(0, 0, z), d/2);
+        scene_.motions[i] = motion(Zero, 1/mass);
+    }
+}
+
+
+Foam::cghs::contact Foam::cghs::column::contactBelow(const label i) const
+{
+    const label below = i == 0 ? n_ : i - 1;
+    const List<sphere>& s = scene_.spheres;
+
+    return makeContact
+    (
+        below,
+        i,
+        i == 0 ? contact::parcelWall : contact::parcelParcel,
+        i,
+        s[i].x - s[below].x,
+        s[i].r + s[below].r
+    );
+}
+
+
+void Foam::cghs::column::findContacts()
+{
+    const List<contact> former(scene_.contacts);
+    scene_.contacts.clear();
+
+    for (label i = 0; i < n_; ++i)
+    {
+        contact c = contactBelow(i);
+
+        if (c.overlap <= 0) continue;
+
+        for (const contact& last : former)
+        {
+            if (last.slot == c.slot)
+            {
+                c.load = last.load;
+                c.rubbing = last.rubbing;
+            }
+        }
+        scene_.contacts.append(c);
+    }
+
+    if (settings_.topDown)
+    {
+        std::reverse(scene_.contacts.begin(), scene_.contacts.end());
+    }
+}
+
+
+void Foam::cghs::column::kick(const scalar share)
+{
+    for (label i = 0; i < n_; ++i)
+    {
+        scene_.motions[i].v.z() -= share*g*deltaT;
+    }
+}
+
+
+void Foam::cghs::column::move()
+{
+    for (label i = 0; i < n_; ++i)
+    {
+        scene_.spheres[i].x += deltaT*scene_.motions[i].v + scene_.shifts[i];
+    }
+}
+
+
+void Foam::cghs::column::step()
+{
+    bodies b(scene_.view());
+    const stepScales scales{deltaT, g*deltaT};
+
+    scene_.shifts = Zero;
+    findContacts();
+    kick(settings_.kickBefore);
+    model_->sweep(0, scene_.contacts, b, scales);
+    kick(1 - settings_.kickBefore);
+
+    for (label sweepi = 1; sweepi < model_->nSweeps(); ++sweepi)
+    {
+        model_->sweep(sweepi, scene_.contacts, b, scales);
+    }
+    move();
+}
+
+
+Foam::scalar Foam::cghs::column::overlap() const
+{
+    scalar largest = -GREAT;
+    for (label i = 0; i < n_; ++i)
+    {
+        largest = max(largest, contactBelow(i).overlap);
+    }
+    return largest/d;
+}
+
+
+Foam::scalar Foam::cghs::column::restlessness() const
+{
+    scalar sum = 0;
+    for (label i = 0; i < n_; ++i)
+    {
+        sum += magSqr(scene_.motions[i].v);
+    }
+    return sum/n_/sqr(g*deltaT);
+}
