@@ -162,6 +162,9 @@ class Case:
             self.run("cghsFoam")
             return
         self.run("decomposePar", "-force")
+        # It has written coordinates, but copied the note that says positions
+        for folder in self.folder.glob("processor*/0/uniform"):
+            folder.unlink()  # a link to that of the whole case
         self.run("mpirun", "-np", str(ranks), "cghsFoam", "-parallel")
 
     # What it wrote

@@ -83,7 +83,11 @@ void Foam::cghs::hardSphere::sweep
 
         for (const contact& c : contacts)
         {
-            collide(c, b, coeffs_[c.surface], restingSpeed);
+            // A contact that bears load is no impact
+            if (c.held == 0)
+            {
+                collide(c, b, coeffs_[c.surface], restingSpeed);
+            }
         }
     }
     else
