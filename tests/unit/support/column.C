@@ -97,17 +97,22 @@ void Foam::cghs::column::findContacts()
     {
         contact c = contactBelow(i);
 
-        if (c.overlap <= 0) continue;
-
-        for (const contact& last : former)
+        // All that a contact remembers, in its new place
+        for (contact last : former)
         {
             if (last.slot == c.slot)
             {
-                c.load = last.load;
-                c.rubbing = last.rubbing;
+                last.n = c.n;
+                last.overlap = c.overlap;
+                c = last;
             }
         }
-        scene_.contacts.append(c);
+
+        // A gap is only a contact if it bore load
+        if (c.overlap > 0 || c.load > 0)
+        {
+            scene_.contacts.append(c);
+        }
     }
 
     if (settings_.topDown)

@@ -1,0 +1,220 @@
+/*---------------------------------------------------------------------------*\
+    cghsFoam | coarse-grained hard spheres in OpenFOAM
+    GPL-3.0-or-later, see LICENSE
+\*---------------------------------------------------------------------------*/
+
+#include "softSphere.H"
+#include "hardSphereImpulse.H"
+#include "checkedEntry.H"
+#include "mathematicalConstants.H"
+#include "addToRunTimeSelectionTable.H"
+
+namespace Foam
+{
+namespace cghs
+{
+    defineTypeNameAndDebug(softSphere, 0);
+    addToRunTimeSelectionTable(contactModel, softSphere, dictionary);
+
+    using constant::mathematical::pi;
+
+
+    //- Factor on the spring constant of a particle, for parcels of W
+    static scalar stiffnessFactor
+    (
+        const softSphere::stiffnessScaling scaling,
+        const scalar W
+    )
+    {
+        switch (scaling)
+        {
+            case softSphere::stiffnessScaling::proportional:
+                return W;
+
+            case softSphere::stiffnessScaling::energyDensity:
+                return Foam::cbrt(W);
+
+            default:
+                return 1;
+        }
+    }
+}
+}
+
+const Foam::Enum<Foam::cghs::softSphere::stiffnessScaling>
+Foam::cghs::softSphere::stiffnessScalingNames
+({
+    { stiffnessScaling::unscaled, "unscaled" },
+    { stiffnessScaling::proportional, "proportional" },
+    { stiffnessScaling::energyDensity, "energyDensity" }
+});
+
+
+Foam::cghs::softSphere::springCoeffs Foam::cghs::softSphere::readCoeffs
+(
+    const dictionary& parent,
+    const word& name,
+    const scalar parcelWeight
+) const
+{
+    const dictionary& dict = parent.subDict(name);
+
+    const scalar e =
+        restitution_->ofParcel
+        (
+            dict,
+            scalarInRange(dict, "restitutionCoefficient", SMALL, 1),
+            parcelWeight
+        );
+    const scalar lnE = log(max(e, SMALL));
+
+    return springCoeffs
+    {
+        mag(lnE)/sqrt(sqr(pi) + sqr(lnE)),
+        scalarInRange(dict, "frictionCoefficient", 0, GREAT)
+    };
+}
+
+
+Foam::cghs::softSphere::softSphere
+(
+    const dictionary& dict,
+    const scalar parcelWeight
+)
+:
+    restitution_(restitutionScaling::New(dict)),
+    stiffness_
+    (
+        positiveScalar(dict, "springConstant")
+       *stiffnessFactor
+        (
+            stiffnessScalingNames.get("stiffnessScaling", dict),
+            parcelWeight
+        )
+    ),
+    coeffs_
+    ({
+        readCoeffs(dict, "parcelParcel", parcelWeight),
+        readCoeffs(dict, "parcelWall", parcelWeight)
+    }),
+    warned_(false)
+{}
+
+
+bool Foam::cghs::softSphere::needsSpin() const
+{
+    return
+        coeffs_[contact::parcelParcel].mu > 0
+     || coeffs_[contact::parcelWall].mu > 0;
+}
+
+
+void Foam::cghs::softSphere::checkStep
+(
+    const scalar me,
+    const scalar damping,
+    const scalar deltaT
+)
+{
+    const scalar contactTime =
+        pi*sqrt(me/(stiffness_*max(1 - sqr(damping), SMALL)));
+
+    if (deltaT > contactTime/20*(1 + SMALL))
+    {
+        warned_ = true;
+
+        WarningInFunction
+            << "The solids step is " << deltaT << " s, a contact lasts "
+            << contactTime << " s" << nl
+            << "    Set maxDeltaT to " << contactTime/20
+            << " or less for springs to be followed" << endl;
+    }
+}
+
+
+Foam::vector Foam::cghs::softSphere::tangentialImpulse
+(
+    contact& c,
+    const bodies& b,
+    const scalar damping,
+    const scalar mu,
+    const scalar deltaT
+) const
+{
+    const scalar kt = 2.0/7.0*stiffness_;
+    const scalar etat = 0.5*damping;
+    const vector vt(slipVelocity(c, b, leverOf(c, b)));
+
+    // The plane of the contact has turned a little since
+    vector& xi = c.rubbing;
+    xi -= (xi & c.n)*c.n;
+    xi += deltaT*vt;
+
+    vector force(-kt*xi - etat*vt);
+    const scalar limit = mu*c.load/deltaT;
+    const scalar size = mag(force);
+
+    if (size > limit)
+    {
+        force *= limit/size;
+        xi = -(force + etat*vt)/kt;
+    }
+
+    return deltaT*force;
+}
+
+
+void Foam::cghs::softSphere::findForce
+(
+    contact& c,
+    const bodies& b,
+    const scalar deltaT
+)
+{
+    const springCoeffs& k = coeffs_[c.surface];
+    const scalar me = effectiveMass(c, b);
+    const scalar eta = 2*k.damping*sqrt(stiffness_*me);
+
+    if (!warned_)
+    {
+        checkStep(me, k.damping, deltaT);
+    }
+
+    c.load =
+        deltaT
+       *max(scalar(0), stiffness_*c.overlap - eta*partingSpeed(c, b));
+
+    c.tangential =
+        k.mu > 0
+      ? tangentialImpulse(c, b, eta, k.mu, deltaT)
+      : vector(Zero);
+}
+
+
+void Foam::cghs::softSphere::sweep
+(
+    const label sweepi,
+    UList<contact>& contacts,
+    bodies& b,
+    const stepScales& step
+)
+{
+    if (sweepi == 0)
+    {
+        for (contact& c : contacts)
+        {
+            findForce(c, b, step.deltaT);
+        }
+        return;
+    }
+
+    for (contact& c : contacts)
+    {
+        push(c, b, c.load*c.n + c.tangential);
+
+        if (b.spinning())
+        {
+            turn(c, b, leverOf(c, b), c.tangential);
+        }
+    }
+}
