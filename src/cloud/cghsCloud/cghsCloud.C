@@ -112,7 +112,7 @@ Foam::cghs::cghsCloud::cghsCloud
         g
     )
 {
-    if (contacts_.needed())
+    if (contacts_.remembers())
     {
         parcels_.add(contacts_.formerIndices());
     }

@@ -117,13 +117,20 @@ void Foam::cghs::contactStage::findContacts(arena& parcels)
     // Slots: walls by parcel, then pairs, then pairs with guests
     label slot = parcels.size();
 
-    previous_.swap(contacts_);
+    const bool remember = model_->needsMemory();
+
+    if (remember)
+    {
+        previous_.swap(contacts_);
+    }
     contacts_.clear();
-    ranks_.clearContacts();
+    ranks_.clearContacts(remember);
 
-    walls_.touch(parcels.spheres, wallBody_, margin_, contacts_);
+    DynamicList<contact>& own = contacts_.contacts;
 
-    for (const contact& c : contacts_)
+    walls_.touch(parcels.spheres, wallBody_, margin_, own);
+
+    for (const contact& c : own)
     {
         maxOverlap_ = max(maxOverlap_, 0.5*c.overlap/parcels.spheres[c.a].r);
     }
@@ -132,7 +139,7 @@ void Foam::cghs::contactStage::findContacts(arena& parcels)
     (
         [&](const label i, const label j)
         {
-            appendIfTouching(parcels, i, j, slot++, contacts_);
+            appendIfTouching(parcels, i, j, slot++, own);
         }
     );
 
@@ -140,7 +147,7 @@ void Foam::cghs::contactStage::findContacts(arena& parcels)
     {
         const label guest = pair.second();
         DynamicList<contact>& contacts =
-            ranks_.listFor(guest, parcels.size(), contacts_);
+            ranks_.listFor(guest, parcels.size(), contacts_).contacts;
 
         const label before = contacts.size();
         appendIfTouching(parcels, pair.first(), guest, slot++, contacts);
@@ -151,72 +158,93 @@ void Foam::cghs::contactStage::findContacts(arena& parcels)
         }
     }
 
-    if (model_->needsMemory())
+    if (remember)
     {
         recall(contacts_, previous_);
         ranks_.forMeetings(&contactStage::recall);
-
     }
 
-    model_->tally().nContacts = contacts_.size() + ranks_.nContacts();
+    model_->tally().nContacts = own.size() + ranks_.nContacts();
 }
 
 
 void Foam::cghs::contactStage::recall
 (
-    DynamicList<contact>& contacts,
-    const UList<contact>& previous
+    contactList& now,
+    const contactList& before
 )
 {
     // A parcel may touch several walls, all under one slot: the normals tell
     // which is which
     constexpr scalar sameNormal = 0.9;
 
+    const UList<contact>& old = before.contacts;
     label from = 0;
+    label n = 0;
 
-    for (contact& c : contacts)
+    now.memories.clear();
+
+    for (const contact& c : now.contacts)
     {
-        while (from < previous.size() && previous[from].slot < c.slot)
+        contactMemory memory;
+
+        while (from < old.size() && old[from].slot < c.slot)
         {
             ++from;
         }
 
-        for
-        (
-            label k = from;
-            k < previous.size() && previous[k].slot == c.slot;
-            ++k
-        )
+        for (label k = from; k < old.size() && old[k].slot == c.slot; ++k)
         {
-            if ((previous[k].n & c.n) > sameNormal)
+            if ((old[k].n & c.n) > sameNormal)
             {
-                c.load = previous[k].load;
-                c.held = previous[k].held;
-                c.rubbing = previous[k].rubbing;
+                memory = before.memories[k];
                 break;
             }
         }
-    }
 
-    // A gap is only a contact if it bore load
-    label n = 0;
-    for (const contact& c : contacts)
-    {
-        if (c.overlap > 0 || c.load > 0)
+        // A gap is only a contact if it bore load
+        if (c.overlap > 0 || memory.load > 0)
         {
-            contacts[n++] = c;
+            now.contacts[n++] = c;
+            now.memories.append(memory);
         }
     }
-    contacts.resize(n);
+
+    now.contacts.resize(n);
 }
 
 
-void Foam::cghs::contactStage::noteIndices(arena& parcels)
+void Foam::cghs::contactStage::noteIndices(const arena& parcels)
 {
-    forAll(former_, i)
+    if (model_->needsMemory())
     {
-        former_[i] = i;
+        forAll(former_, i)
+        {
+            former_[i] = i;
+        }
+        formerIds_ = SubList<label>(parcels.ids, parcels.size());
     }
+}
+
+
+Foam::labelList Foam::cghs::contactStage::indicesNow
+(
+    const arena& parcels
+) const
+{
+    labelList now(formerIds_.size(), -1);
+
+    for (label i = 0; i < parcels.size(); ++i)
+    {
+        const label k = former_[i];
+
+        if (k < formerIds_.size() && formerIds_[k] == parcels.ids[i])
+        {
+            now[k] = i;
+        }
+    }
+
+    return now;
 }
 
 
@@ -227,37 +255,20 @@ void Foam::cghs::contactStage::relabel
 )
 {
     const label nOwn = parcels.size();
+    const labelList now(indicesNow(parcels));
 
-    label nFormer = 0;
-    for (const label i : former_)
-    {
-        nFormer = max(nFormer, i + 1);
-    }
-
-    labelList now(nFormer, -1);
-    forAll(former_, i)
-    {
-        if (former_[i] != -1)
-        {
-            now[former_[i]] = i;
-        }
-    }
-
-    // By first body, to be found from the list of partners
-    DynamicList<contact> kept(contacts_.size());
+    // Those whose parcels are both still here, counted by the first of them
+    contactList kept;
     labelList start(nOwn + 1, Zero);
 
-    for (contact c : contacts_)
+    forAll(contacts_.contacts, i)
     {
+        contact c = contacts_.contacts[i];
+        contactMemory memory = contacts_.memories[i];
         const bool atWall = c.b == formerWall;
 
-        if (c.a >= nFormer || (!atWall && c.b >= nFormer))
-        {
-            continue;
-        }
-
-        c.a = now[c.a];
-        c.b = atWall ? wallBody_ : now[c.b];
+        c.a = c.a < now.size() ? now[c.a] : -1;
+        c.b = atWall ? wallBody_ : c.b < now.size() ? now[c.b] : -1;
 
         if (c.a == -1 || c.b == -1)
         {
@@ -268,12 +279,12 @@ void Foam::cghs::contactStage::relabel
         {
             std::swap(c.a, c.b);
             c.n = -c.n;
-            c.rubbing = -c.rubbing;
+            memory.rubbing = -memory.rubbing;
         }
 
         // Walls have the parcel as slot; pairs are given theirs below
         c.slot = atWall ? c.a : -1;
-        kept.append(c);
+        kept.append(c, memory);
         ++start[c.a + 1];
     }
 
@@ -282,11 +293,11 @@ void Foam::cghs::contactStage::relabel
         start[i + 1] += start[i];
     }
 
-    labelList byBody(kept.size());
+    labelList byBody(kept.contacts.size());
     labelList next(SubList<label>(start, nOwn));
-    forAll(kept, k)
+    forAll(kept.contacts, k)
     {
-        byBody[next[kept[k].a]++] = k;
+        byBody[next[kept.contacts[k].a]++] = k;
     }
 
     // In the order of slots: walls first, then pairs
@@ -294,9 +305,9 @@ void Foam::cghs::contactStage::relabel
 
     for (const label k : byBody)
     {
-        if (kept[k].slot != -1)
+        if (kept.contacts[k].slot != -1)
         {
-            contacts_.append(kept[k]);
+            contacts_.append(kept.contacts[k], kept.memories[k]);
         }
     }
 
@@ -307,12 +318,12 @@ void Foam::cghs::contactStage::relabel
         {
             for (label k = start[i]; k < start[i + 1]; ++k)
             {
-                contact& c = kept[byBody[k]];
+                contact& c = kept.contacts[byBody[k]];
 
                 if (c.b == j && c.slot == -1)
                 {
                     c.slot = slot;
-                    contacts_.append(c);
+                    contacts_.append(c, kept.memories[byBody[k]]);
                 }
             }
             ++slot;
@@ -343,7 +354,7 @@ void Foam::cghs::contactStage::resolve(arena& parcels, const scalar deltaT)
         ranks_.sweep
         (
             parcels,
-            [&](UList<contact>& contacts)
+            [&](contactList& contacts)
             {
                 model_->sweep(sweepi, contacts, b, step);
             }
@@ -364,5 +375,5 @@ std::size_t Foam::cghs::contactStage::bytes() const
 {
     return
         search_.bytes() + walls_.bytes()
-      + contacts_.capacity()*sizeof(contact);
+      + contacts_.bytes() + previous_.bytes();
 }

@@ -430,11 +430,11 @@ Foam::label Foam::cghs::rankContacts::bodyOf(const label guest) const
 }
 
 
-Foam::DynamicList<Foam::cghs::contact>& Foam::cghs::rankContacts::listFor
+Foam::cghs::contactList& Foam::cghs::rankContacts::listFor
 (
     const label guest,
     const label nOwn,
-    DynamicList<contact>& own
+    contactList& own
 )
 {
     const label body = bodyOf(guest);
@@ -446,11 +446,14 @@ Foam::DynamicList<Foam::cghs::contact>& Foam::cghs::rankContacts::listFor
 }
 
 
-void Foam::cghs::rankContacts::clearContacts()
+void Foam::cghs::rankContacts::clearContacts(const bool keep)
 {
     for (meeting& m : meetings_)
     {
-        m.previous.swap(m.contacts);
+        if (keep)
+        {
+            m.previous.swap(m.contacts);
+        }
         m.contacts.clear();
     }
 }
@@ -471,7 +474,7 @@ Foam::label Foam::cghs::rankContacts::nContacts() const
     label n = 0;
     for (const meeting& m : meetings_)
     {
-        n += m.contacts.size();
+        n += m.contacts.contacts.size();
     }
     return n;
 }

@@ -70,29 +70,32 @@ bool Foam::cghs::hardSphere::needsSpin() const
 void Foam::cghs::hardSphere::sweep
 (
     const label sweepi,
-    UList<contact>& contacts,
+    contactList& list,
     bodies& b,
     const stepScales& step
 )
 {
     if (sweepi == 0)
     {
-        correction_->begin(contacts, b, step);
+        correction_->begin(list, b, step);
 
         const scalar restingSpeed = correction_->restingSteps()*step.speed;
 
-        for (const contact& c : contacts)
+        forAll(list.contacts, i)
         {
             // A contact that bears load is no impact
-            if (c.held == 0)
+            if (list.memories.size() && list.memories[i].held > 0)
             {
-                collide(c, b, coeffs_[c.surface], restingSpeed);
+                continue;
             }
+
+            const contact& c = list.contacts[i];
+            collide(c, b, coeffs_[c.surface], restingSpeed);
         }
     }
     else
     {
         tally_.correctionWork +=
-            correction_->sweep(sweepi - 1, contacts, b, coeffs_, step);
+            correction_->sweep(sweepi - 1, list, b, coeffs_, step);
     }
 }

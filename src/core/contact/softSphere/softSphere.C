@@ -134,7 +134,8 @@ void Foam::cghs::softSphere::checkStep
 
 Foam::vector Foam::cghs::softSphere::tangentialImpulse
 (
-    contact& c,
+    const contact& c,
+    contactMemory& memory,
     const bodies& b,
     const scalar damping,
     const scalar mu,
@@ -146,12 +147,12 @@ Foam::vector Foam::cghs::softSphere::tangentialImpulse
     const vector vt(slipVelocity(c, b, leverOf(c, b)));
 
     // The plane of the contact has turned a little since
-    vector& xi = c.rubbing;
+    vector& xi = memory.rubbing;
     xi -= (xi & c.n)*c.n;
     xi += deltaT*vt;
 
     vector force(-kt*xi - etat*vt);
-    const scalar limit = mu*c.load/deltaT;
+    const scalar limit = mu*memory.load/deltaT;
     const scalar size = mag(force);
 
     if (size > limit)
@@ -166,7 +167,8 @@ Foam::vector Foam::cghs::softSphere::tangentialImpulse
 
 void Foam::cghs::softSphere::findForce
 (
-    contact& c,
+    const contact& c,
+    contactMemory& memory,
     const bodies& b,
     const scalar deltaT
 )
@@ -180,13 +182,13 @@ void Foam::cghs::softSphere::findForce
         checkStep(me, k.damping, deltaT);
     }
 
-    c.load =
+    memory.load =
         deltaT
        *max(scalar(0), stiffness_*c.overlap - eta*partingSpeed(c, b));
 
-    c.tangential =
+    memory.tangential =
         k.mu > 0
-      ? tangentialImpulse(c, b, eta, k.mu, deltaT)
+      ? tangentialImpulse(c, memory, b, eta, k.mu, deltaT)
       : vector(Zero);
 }
 
@@ -194,27 +196,30 @@ void Foam::cghs::softSphere::findForce
 void Foam::cghs::softSphere::sweep
 (
     const label sweepi,
-    UList<contact>& contacts,
+    contactList& list,
     bodies& b,
     const stepScales& step
 )
 {
     if (sweepi == 0)
     {
-        for (contact& c : contacts)
+        forAll(list.contacts, i)
         {
-            findForce(c, b, step.deltaT);
+            findForce(list.contacts[i], list.memories[i], b, step.deltaT);
         }
         return;
     }
 
-    for (contact& c : contacts)
+    forAll(list.contacts, i)
     {
-        push(c, b, c.load*c.n + c.tangential);
+        const contact& c = list.contacts[i];
+        const contactMemory& memory = list.memories[i];
+
+        push(c, b, memory.load*c.n + memory.tangential);
 
         if (b.spinning())
         {
-            turn(c, b, leverOf(c, b), c.tangential);
+            turn(c, b, leverOf(c, b), memory.tangential);
         }
     }
 }

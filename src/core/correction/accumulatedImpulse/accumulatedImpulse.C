@@ -23,7 +23,8 @@ namespace cghs
     //- Bring the parting speed to zero, if the load can. Returns the work [J]
     static inline scalar press
     (
-        contact& c,
+        const contact& c,
+        contactMemory& memory,
         bodies& b,
         const scalar me,
         const scalar rDeltaT
@@ -32,7 +33,7 @@ namespace cghs
         // A gap may close in the step
         const scalar vn = partingSpeed(c, b);
         const scalar target = min(c.overlap, scalar(0))*rDeltaT;
-        const scalar change = max(me*(target - vn), -c.load);
+        const scalar change = max(me*(target - vn), -memory.load);
 
         if (change == 0)
         {
@@ -40,7 +41,7 @@ namespace cghs
         }
 
         push(c, b, change*c.n);
-        c.load += change;
+        memory.load += change;
 
         return change*(vn + 0.5*change/me);
     }
@@ -49,7 +50,8 @@ namespace cghs
     //- Bring the slip to zero, if friction can
     static inline void hold
     (
-        contact& c,
+        const contact& c,
+        contactMemory& memory,
         bodies& b,
         const scalar mu,
         const scalar me
@@ -58,9 +60,9 @@ namespace cghs
         const scalar lever = leverOf(c, b);
         const scalar mt = me/(1 + sqr(lever)/inertiaFactor);
 
-        vector rubbing(c.rubbing - mt*slipVelocity(c, b, lever));
+        vector rubbing(memory.rubbing - mt*slipVelocity(c, b, lever));
 
-        const scalar limit = mu*c.load;
+        const scalar limit = mu*memory.load;
         const scalar size = mag(rubbing);
 
         if (size > limit)
@@ -68,10 +70,10 @@ namespace cghs
             rubbing *= limit/size;
         }
 
-        const vector change(rubbing - c.rubbing);
+        const vector change(rubbing - memory.rubbing);
         push(c, b, change);
         turn(c, b, lever, change);
-        c.rubbing = rubbing;
+        memory.rubbing = rubbing;
     }
 }
 }
@@ -88,62 +90,67 @@ Foam::cghs::accumulatedImpulse::accumulatedImpulse(const dictionary& dict)
 
 void Foam::cghs::accumulatedImpulse::begin
 (
-    UList<contact>& contacts,
+    contactList& list,
     bodies& b,
     const stepScales& step
 ) const
 {
-    for (contact& c : contacts)
+    forAll(list.contacts, i)
     {
-        if (c.load > 0)
+        const contact& c = list.contacts[i];
+        contactMemory& memory = list.memories[i];
+
+        if (memory.load > 0)
         {
             const scalar trusted =
-                growth*c.held + effectiveMass(c, b)*step.speed;
+                growth*memory.held + effectiveMass(c, b)*step.speed;
 
-            if (c.load > trusted)
+            if (memory.load > trusted)
             {
-                c.rubbing *= trusted/c.load;
-                c.load = trusted;
+                memory.rubbing *= trusted/memory.load;
+                memory.load = trusted;
             }
 
             // The plane of the contact has turned a little since
-            c.rubbing -= (c.rubbing & c.n)*c.n;
+            memory.rubbing -= (memory.rubbing & c.n)*c.n;
 
-            push(c, b, c.load*c.n + c.rubbing);
+            push(c, b, memory.load*c.n + memory.rubbing);
 
             if (b.spinning())
             {
-                turn(c, b, leverOf(c, b), c.rubbing);
+                turn(c, b, leverOf(c, b), memory.rubbing);
             }
         }
-        c.held = c.load;
+        memory.held = memory.load;
     }
 }
 
 
 Foam::scalar Foam::cghs::accumulatedImpulse::sweepVelocities
 (
-    UList<contact>& contacts,
+    contactList& list,
     bodies& b,
     const impactTable& coeffs,
     const scalar rDeltaT,
     const bool backwards
 ) const
 {
-    const label n = contacts.size();
+    const label n = list.contacts.size();
     scalar work = 0;
 
-    for (label i = 0; i < n; ++i)
+    for (label k = 0; k < n; ++k)
     {
-        contact& c = contacts[backwards ? n - 1 - i : i];
+        const label i = backwards ? n - 1 - k : k;
+        const contact& c = list.contacts[i];
+        contactMemory& memory = list.memories[i];
         const scalar me = effectiveMass(c, b);
         const scalar mu = coeffs[c.surface].mu;
 
-        work += press(c, b, me, rDeltaT);
+        work += press(c, memory, b, me, rDeltaT);
 
-        if (mu > 0 && (c.load > 0 || magSqr(c.rubbing) > 0))
+        if (mu > 0 && (memory.load > 0 || magSqr(memory.rubbing) > 0))
         {
-            hold(c, b, mu, me);
+            hold(c, memory, b, mu, me);
         }
     }
 
@@ -190,7 +197,7 @@ void Foam::cghs::accumulatedImpulse::sweepPositions
 Foam::scalar Foam::cghs::accumulatedImpulse::sweep
 (
     const label sweepi,
-    UList<contact>& contacts,
+    contactList& list,
     bodies& b,
     const impactTable& coeffs,
     const stepScales& step
@@ -198,9 +205,9 @@ Foam::scalar Foam::cghs::accumulatedImpulse::sweep
 {
     if (sweepi < nSweeps_)
     {
-        return sweepVelocities(contacts, b, coeffs, 1/step.deltaT, sweepi % 2);
+        return sweepVelocities(list, b, coeffs, 1/step.deltaT, sweepi % 2);
     }
 
-    sweepPositions(contacts, b, step.deltaT);
+    sweepPositions(list.contacts, b, step.deltaT);
     return 0;
 }

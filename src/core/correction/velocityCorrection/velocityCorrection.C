@@ -29,13 +29,14 @@ Foam::cghs::velocityCorrection::velocityCorrection(const dictionary& dict)
 Foam::scalar Foam::cghs::velocityCorrection::sweep
 (
     const label sweepi,
-    UList<contact>& contacts,
+    contactList& list,
     bodies& b,
     const impactTable&,
     const stepScales& step
 ) const
 {
     const scalar rDeltaT = 1/step.deltaT;
+    const UList<contact>& contacts = list.contacts;
     const label n = contacts.size();
 
     // What presses on a bed comes from one end of the list: every other sweep
