@@ -29,15 +29,24 @@ void Foam::cghs::locator::inscribe()
 {
     forAll(cores_, celli)
     {
-        const vector& centre = mesh_.cellCentres()[celli];
-        scalar radius = GREAT;
+        const labelList& points = mesh_.cellPoints()[celli];
+        const boundBox box(mesh_.points(), points, false);
+        const vector centre(box.midpoint());
+        const vector half(0.5*box.span());
+
+        // The box shrinks until its corner furthest out is within each face
+        scalar share = 1;
 
         for (const label facei : mesh_.cells()[celli])
         {
-            radius = min(radius, -beyond(centre, facei, celli));
+            const vector n(outwardNormal(facei));
+            const scalar corner = cmptMag(n) & half;
+            const scalar room = -beyond(centre, facei, celli);
+
+            share = min(share, room/max(corner, VSMALL));
         }
 
-        cores_[celli] = core{centre, radius > 0 ? sqr(radius) : 0};
+        cores_[celli] = core{centre, max(share, scalar(0))*half};
     }
 }
 

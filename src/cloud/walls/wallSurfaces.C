@@ -13,6 +13,47 @@
 
 // * * * * * * * * * * * * * * * * Triangles * * * * * * * * * * * * * * * * //
 
+namespace Foam
+{
+namespace cghs
+{
+
+//- Is a face as flat as rounding can tell, and convex, so that any of its
+//  corners sees all of it?
+static bool planar
+(
+    const face& f,
+    const pointField& points,
+    const point& centre,
+    const vector& area
+)
+{
+    const scalar size = mag(area);
+    const vector n(area/max(size, VSMALL));
+
+    forAll(f, k)
+    {
+        const vector& a = points[f[f.rcIndex(k)]];
+        const vector& b = points[f[k]];
+        const vector& c = points[f[f.fcIndex(k)]];
+
+        if
+        (
+            mag((b - centre) & n) > 1e-9*sqrt(size)
+         || (((b - a) ^ (c - b)) & n) < -1e-9*size
+        )
+        {
+            return false;
+        }
+    }
+
+    return true;
+}
+
+} // End namespace cghs
+} // End namespace Foam
+
+
 Foam::pointField Foam::cghs::wallSurfaces::ownCorners
 (
     const polyMesh& mesh,
@@ -40,14 +81,19 @@ Foam::pointField Foam::cghs::wallSurfaces::ownCorners
             const face& f = pp[i];
             const pointField& points = mesh.points();
 
-            if (f.size() == 3)
+            // A fan about a corner, or, as it follows a warped face best, about
+            // the centre
+            const point& centre = pp.faceCentres()[i];
+
+            if (planar(f, points, centre, pp.faceAreas()[i]))
             {
-                add(points[f[0]], points[f[1]], points[f[2]]);
+                for (label k = 1; k < f.size() - 1; ++k)
+                {
+                    add(points[f[0]], points[f[k]], points[f[k + 1]]);
+                }
                 continue;
             }
 
-            // A fan about the centre follows a warped face best
-            const point& centre = pp.faceCentres()[i];
             forAll(f, k)
             {
                 add(centre, points[f[k]], points[f.nextLabel(k)]);

@@ -6,6 +6,7 @@
 #include "hardSphere.H"
 #include "restitutionScaling.H"
 #include "checkedEntry.H"
+#include "interleave.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -81,17 +82,15 @@ void Foam::cghs::hardSphere::sweep
 
         const scalar restingSpeed = correction_->restingSteps()*step.speed;
 
-        forAll(list.contacts, i)
+        interleave(list.contacts.size(), false, [&](const label i)
         {
             // A contact that bears load is no impact
-            if (list.memories.size() && list.memories[i].held > 0)
+            if (list.memories.empty() || list.memories[i].held == 0)
             {
-                continue;
+                const contact& c = list.contacts[i];
+                collide(c, b, coeffs_[c.surface], restingSpeed);
             }
-
-            const contact& c = list.contacts[i];
-            collide(c, b, coeffs_[c.surface], restingSpeed);
-        }
+        });
     }
     else
     {

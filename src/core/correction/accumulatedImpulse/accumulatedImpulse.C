@@ -5,6 +5,7 @@
 
 #include "accumulatedImpulse.H"
 #include "checkedEntry.H"
+#include "interleave.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -135,12 +136,10 @@ Foam::scalar Foam::cghs::accumulatedImpulse::sweepVelocities
     const bool backwards
 ) const
 {
-    const label n = list.contacts.size();
     scalar work = 0;
 
-    for (label k = 0; k < n; ++k)
+    interleave(list.contacts.size(), backwards, [&](const label i)
     {
-        const label i = backwards ? n - 1 - k : k;
         const contact& c = list.contacts[i];
         contactMemory& memory = list.memories[i];
         const scalar me = effectiveMass(c, b);
@@ -152,7 +151,7 @@ Foam::scalar Foam::cghs::accumulatedImpulse::sweepVelocities
         {
             hold(c, memory, b, mu, me);
         }
-    }
+    });
 
     return work;
 }

@@ -5,6 +5,7 @@
 
 #include "velocityCorrection.H"
 #include "hardSphereImpulse.H"
+#include "interleave.H"
 #include "checkedEntry.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -37,34 +38,29 @@ Foam::scalar Foam::cghs::velocityCorrection::sweep
 {
     const scalar rDeltaT = 1/step.deltaT;
     const UList<contact>& contacts = list.contacts;
-    const label n = contacts.size();
-
     // What presses on a bed comes from one end of the list: every other sweep
     // runs backwards, so that both ends are heard
     const bool backwards = sweepi % 2;
 
     scalar work = 0;
 
-    for (label i = 0; i < n; ++i)
+    interleave(contacts.size(), backwards, [&](const label i)
     {
-        const contact& c = contacts[backwards ? n - 1 - i : i];
+        const contact& c = contacts[i];
         const scalar vn = partingSpeed(c, b);
+        const scalar room = c.overlap*rDeltaT;
 
-        if (vn < 0)
-        {
-            const scalar room = c.overlap*rDeltaT;
-            const scalar gain =
-                min
-                (
-                    overlapShare_*room - velocityShare_*vn,
-                    room - vn
-                );
+        // Which pairs still approach is a toss of a coin that a branch would
+        // guess wrong: a gain of zero is cheaper
+        const scalar gain =
+            vn < 0
+          ? min(overlapShare_*room - velocityShare_*vn, room - vn)
+          : 0;
 
-            const scalar J = effectiveMass(c, b)*gain;
-            push(c, b, J*c.n);
-            work += J*(vn + 0.5*gain);
-        }
-    }
+        const scalar J = effectiveMass(c, b)*gain;
+        push(c, b, J*c.n);
+        work += J*(vn + 0.5*gain);
+    });
 
     return work;
 }
