@@ -23,7 +23,6 @@ Usage
 #include "profiling.H"
 #include "cghsCloud.H"
 #include "incompressibleFluid.H"
-#include "checkedEntry.H"
 #include "progress.H"
 #include "stepReport.H"
 
@@ -49,33 +48,16 @@ int main(int argc, char *argv[])
 
     cghsCloud parcels(mesh, args.get<word>("cloud", "parcels"), g.value());
 
-    const bool withFluid = parcels.coupling() != cghsCloud::couplingType::none;
     const bool twoWay = parcels.coupling() == cghsCloud::couplingType::twoWay;
 
 
     // ---- The fluid, if there is one ---------------------------------------
 
-    autoPtr<incompressibleFluid> fluid;
-
-    if (withFluid)
-    {
-        fluid.reset
-        (
-            new incompressibleFluid
-            (
-                mesh,
-                g,
-                scalarInRange
-                (
-                    parcels.properties().subDict("solution"),
-                    "minVoidage",
-                    0.01,
-                    1
-                ),
-                twoWay ? parcels.solidsFraction() : parcels.noSolids()
-            )
-        );
-    }
+    autoPtr<incompressibleFluid> fluid
+    (
+        incompressibleFluid::New(mesh, g, parcels)
+    );
+    const bool withFluid = fluid.valid();
 
     stepReport report(parcels, runTime);
     progress pace(runTime);

@@ -117,6 +117,30 @@ static void checkPositive(const passiveParticleCloud& files, const word& name)
     }
 }
 
+//- Stop if the exact position of a parcel is not the place in the mesh that
+//  OpenFOAM's coordinates give, but for rounding of either
+static void checkPlace
+(
+    const passiveParticleCloud& files,
+    const label i,
+    const vector& exact,
+    const vector& inMesh,
+    const scalar diameter
+)
+{
+    if (mag(exact - inMesh) > 0.05*diameter + 1e-5*mag(inMesh))
+    {
+        FatalErrorInFunction
+            << "Parcel " << i << " is at " << exact << " in "
+            << files.fieldIOobject
+               ("position", IOobject::NO_READ).objectPath()
+            << nl << "but at " << inMesh << " in the mesh by its coordinates"
+            << nl << "Is it outside the mesh, or was one of the two files"
+            << " edited? Remove position to go by coordinates" << nl
+            << exit(FatalError);
+    }
+}
+
 } // End namespace cghs
 } // End namespace Foam
 
@@ -171,6 +195,11 @@ void Foam::cghs::readParcels
         const scalar radius = 0.5*d[i]*cbrt(weight[i]);
         const scalar volume =
             4.0/3.0*constant::mathematical::pi*pow3(radius);
+
+        if (exact)
+        {
+            checkPlace(files, i, x[i], p.position(), 2*radius);
+        }
 
         parcels.spheres[i] = sphere(exact ? x[i] : p.position(), radius);
         parcels.motions[i] = motion(v[i], 1/(rho[i]*volume));

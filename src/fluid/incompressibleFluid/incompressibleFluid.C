@@ -13,6 +13,7 @@
 #include "adjustPhi.H"
 #include "findRefCell.H"
 #include "fixedFluxPressureFvPatchScalarField.H"
+#include "checkedEntry.H"
 #include "profiling.H"
 
 namespace Foam
@@ -129,6 +130,39 @@ Foam::cghs::incompressibleFluid::incompressibleFluid
     // An old value is only kept from now on if it is asked for now
     alpha_.oldTime();
     U_.oldTime();
+}
+
+
+Foam::autoPtr<Foam::cghs::incompressibleFluid>
+Foam::cghs::incompressibleFluid::New
+(
+    fvMesh& mesh,
+    const dimensionedVector& g,
+    const cghsCloud& parcels
+)
+{
+    typedef cghsCloud::couplingType couplingType;
+
+    if (parcels.coupling() == couplingType::none)
+    {
+        return nullptr;
+    }
+
+    return autoPtr<incompressibleFluid>::New
+    (
+        mesh,
+        g,
+        scalarInRange
+        (
+            parcels.properties().subDict("solution"),
+            "minVoidage",
+            0.01,
+            1
+        ),
+        parcels.coupling() == couplingType::twoWay
+      ? parcels.solidsFraction()
+      : parcels.noSolids()
+    );
 }
 
 // * * * * * * * * * * * * * * * * The step  * * * * * * * * * * * * * * * * //
