@@ -6,7 +6,6 @@
 #include "column.H"
 #include "complaint.H"
 
-#include <algorithm>
 #include <sstream>
 
 constexpr Foam::scalar Foam::cghs::column::d;
@@ -31,6 +30,20 @@ static autoPtr<contactModel> modelOf(const column::settings& s)
         << s.correction << '}';
 
     return contactModel::New(dictionaryOf(text.str().c_str()), 1);
+}
+
+
+//- What a contact of the step before left for this one
+static contactMemory memoryOf(const contact& c, const contactList& former)
+{
+    forAll(former.memories, i)
+    {
+        if (former.contacts[i].slot == c.slot)
+        {
+            return former.memories[i];
+        }
+    }
+    return contactMemory();
 }
 
 }
@@ -90,34 +103,25 @@ Foam::cghs::contact Foam::cghs::column::contactBelow(const label i) const
 
 void Foam::cghs::column::findContacts()
 {
-    const List<contact> former(scene_.contacts);
-    scene_.contacts.clear();
+    contactList former;
+    former.swap(scene_);
 
     for (label i = 0; i < n_; ++i)
     {
-        contact c = contactBelow(i);
-
-        // All that a contact remembers, in its new place
-        for (contact last : former)
-        {
-            if (last.slot == c.slot)
-            {
-                last.n = c.n;
-                last.overlap = c.overlap;
-                c = last;
-            }
-        }
+        const label above = settings_.topDown ? n_ - 1 - i : i;
+        const contact c = contactBelow(above);
+        const contactMemory memory(memoryOf(c, former));
 
         // A gap is only a contact if it bore load
-        if (c.overlap > 0 || c.load > 0)
+        if (c.overlap > 0 || memory.load > 0)
         {
-            scene_.contacts.append(c);
+            scene_.append(c, memory);
         }
     }
 
-    if (settings_.topDown)
+    if (!model_->needsMemory())
     {
-        std::reverse(scene_.contacts.begin(), scene_.contacts.end());
+        scene_.memories.clear();
     }
 }
 
@@ -148,12 +152,12 @@ void Foam::cghs::column::step()
     scene_.shifts = Zero;
     findContacts();
     kick(settings_.kickBefore);
-    model_->sweep(0, scene_.contacts, b, scales);
+    model_->sweep(0, scene_, b, scales);
     kick(1 - settings_.kickBefore);
 
     for (label sweepi = 1; sweepi < model_->nSweeps(); ++sweepi)
     {
-        model_->sweep(sweepi, scene_.contacts, b, scales);
+        model_->sweep(sweepi, scene_, b, scales);
     }
     move();
 }

@@ -79,7 +79,8 @@ void Foam::cghs::twoBodies::setContact()
     // Rounding may part those that barely touch
     c.overlap = max(c.overlap, scalar(0));
 
-    contacts = List<contact>(1, c);
+    contacts.clear();
+    contacts.append(c);
 }
 
 

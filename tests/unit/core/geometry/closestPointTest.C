@@ -292,7 +292,10 @@ TEST_CASE("Above the inside the nearest point is the foot, and interior",
         const triangle t(randomTriangle(random));
         const scalar area2 = mag((t.b - t.a) ^ (t.c - t.a));
 
-        if (area2 < 1e-2*sqr(t.size())) continue;
+        if (area2 < 1e-2*sqr(t.size()))
+        {
+            continue;
+        }
 
         const scalar u = random.between(0.001, 0.998);
         const scalar v = random.between(0.001, 0.999 - u);
@@ -320,7 +323,10 @@ TEST_CASE("Beyond an edge or a corner the nearest point lies on it",
     {
         const triangle t(randomTriangle(random));
 
-        if (mag((t.b - t.a) ^ (t.c - t.a)) < 1e-2*sqr(t.size())) continue;
+        if (mag((t.b - t.a) ^ (t.c - t.a)) < 1e-2*sqr(t.size()))
+        {
+            continue;
+        }
 
         const vector along((t.b - t.a)/mag(t.b - t.a));
         vector outwards(along ^ t.normal());
@@ -382,7 +388,10 @@ TEST_CASE("The corners may be named in any order", "[geometry]")
     {
         const triangle t(randomTriangle(random));
 
-        if (mag((t.b - t.a) ^ (t.c - t.a)) < 1e-3*sqr(t.size())) continue;
+        if (mag((t.b - t.a) ^ (t.c - t.a)) < 1e-3*sqr(t.size()))
+        {
+            continue;
+        }
 
         const vector x(pointNear(t, random));
         const vector p(t.nearest(x).point);

@@ -85,7 +85,7 @@ twoBodies inUnits
 
 TEST_CASE("An impact is the same in every uniformly moving frame", "[contact]")
 {
-    claim same("contact.galileanInvariance", 1e-14);
+    claim same("contact.galileanInvariance", 1e-13);
     sampler random(41);
 
     forEachImpact(42, [&](const twoBodies& p, const impactCoeffs& k)
@@ -96,7 +96,10 @@ TEST_CASE("An impact is the same in every uniformly moving frame", "[contact]")
         const twoBodies here(inFrame(afterImpact(p, k), V));
 
         // Rounding can turn the least of approaches into a parting
-        if (mag(p.normalSpeed()) < 1e-12*speed) return;
+        if (mag(p.normalSpeed()) < 1e-12*speed)
+        {
+            return;
+        }
 
         same.see(largestDifference(there, here)/speed);
     });
@@ -125,7 +128,7 @@ TEST_CASE("An impact is the same in every direction", "[contact]")
 
 TEST_CASE("An impact does not depend on who is called the first", "[contact]")
 {
-    claim same("contact.exchangeSymmetry", 1e-14);
+    claim same("contact.exchangeSymmetry", 1e-13);
 
     forEachImpact(45, [&](const twoBodies& p, const impactCoeffs& k)
     {
@@ -141,7 +144,7 @@ TEST_CASE("An impact does not depend on who is called the first", "[contact]")
 
 TEST_CASE("An impact does not depend on the units", "[contact]")
 {
-    claim same("contact.unitInvariance", 1e-14);
+    claim same("contact.unitInvariance", 1e-13);
     sampler random(46);
 
     forEachImpact(47, [&](const twoBodies& p, const impactCoeffs& k)

@@ -54,13 +54,18 @@ stepScales stepOf(const scalar dt)
 //- Loads and rubbing as a former step might have left them
 void press(bodyScene& heap, const scalar mu, sampler& random)
 {
-    for (contact& c : heap.contacts)
+    for (const contact& c : heap.contacts)
     {
         const bool loaded = random.below(4);
-        c.load = loaded ? random.acrossDecades(1e-9, 1e-5) : 0;
-        c.held = c.load;
+        contactMemory memory;
+        memory.load = loaded ? random.acrossDecades(1e-9, 1e-5) : 0;
+        memory.held = memory.load;
+
+        // The contact has turned a little since
         const vector aside(random.direction() ^ c.n);
-        c.rubbing = (mu*c.load*random.between(0, 1))*aside/mag(aside);
+        const vector tilted(aside/mag(aside) + 0.1*c.n);
+        memory.rubbing = (mu*memory.load*random.between(0, 1))*tilted;
+        heap.memories.append(memory);
     }
 }
 
@@ -74,7 +79,7 @@ void sweep
 )
 {
     bodies b(scene.view());
-    model.sweep(sweepi, scene.contacts, b, coeffsOf(mu), stepOf(deltaT));
+    model.sweep(sweepi, scene, b, coeffsOf(mu), stepOf(deltaT));
 }
 
 
@@ -82,7 +87,7 @@ void sweep
 void correct(const correctionModel& model, bodyScene& scene, const scalar mu)
 {
     bodies b(scene.view());
-    model.begin(scene.contacts, b, stepOf(deltaT));
+    model.begin(scene, b, stepOf(deltaT));
 
     for (label sweepi = 0; sweepi < model.nSweeps(); ++sweepi)
     {
@@ -115,8 +120,8 @@ void forEachHeap(const label seed, const Visitor& visit)
 TEST_CASE("Loads and rubbing keep linear and angular momentum",
     "[correction]")
 {
-    claim linear("accumulated.linearMomentum", 1e-15);
-    claim angular("accumulated.angularMomentum", 3e-15);
+    claim linear("accumulated.linearMomentum", 1e-14);
+    claim angular("accumulated.angularMomentum", 1e-14);
 
     forEachHeap(101, [&](const correctionModel& m, bodyScene h, const scalar mu)
     {
@@ -149,16 +154,17 @@ TEST_CASE("No contact pulls, or rubs harder than friction lets it",
         correct(m, h, mu);
 
         scalar largest = VSMALL;
-        for (const contact& c : h.contacts)
+        for (const contactMemory& memory : h.memories)
         {
-            largest = max(largest, c.load);
+            largest = max(largest, memory.load);
         }
-        for (const contact& c : h.contacts)
+        forAll(h.contacts, i)
         {
-            const scalar excess = mag(c.rubbing) - mu*c.load;
-            pulls.see(max(-c.load, scalar(0)));
+            const contactMemory& memory = h.memories[i];
+            const scalar excess = mag(memory.rubbing) - mu*memory.load;
+            pulls.see(max(-memory.load, scalar(0)));
             rubs.see(max(excess, scalar(0))/largest);
-            across.see(mag(c.rubbing & c.n)/largest);
+            across.see(mag(memory.rubbing & h.contacts[i].n)/largest);
         }
     });
 
@@ -179,6 +185,7 @@ TEST_CASE("A single contact is brought to rest, with enough friction also "
     for (label i = 0; i < 2000; ++i)
     {
         twoBodies p(random.below(2) ? randomPair(random) : randomWall(random));
+        p.memories.append(contactMemory());
         const scalar scale = p.speedScale();
 
         // Without friction no spin is stored
@@ -205,6 +212,7 @@ TEST_CASE("A pair that parts and bears no load is left alone", "[correction]")
     for (label i = 0; i < 2000; ++i)
     {
         twoBodies p(random.below(2) ? randomPair(random) : randomWall(random));
+        p.memories.append(contactMemory());
         p.setNormalSpeed(p.speedScale());
         const twoBodies before(p);
 
@@ -257,6 +265,7 @@ TEST_CASE("A shift takes no more than the overlap", "[correction]")
     for (label i = 0; i < 2000; ++i)
     {
         twoBodies p(random.below(2) ? randomPair(random) : randomWall(random));
+        p.memories.append(contactMemory());
         p.setNormalSpeed(0);
         sweep(*model, model->nSweeps() - 1, p, 0);
 
@@ -289,12 +298,12 @@ TEST_CASE("A column of remembering contacts comes to rest", "[correction]")
                 s.topDown = topDown;
                 column spheres(n, s);
 
-                for (label i = 0; i < 10000; ++i)
+                for (label i = 0; i < 4000; ++i)
                 {
                     spheres.step();
                 }
                 const scalar height = spheres.height();
-                for (label i = 0; i < 2000; ++i)
+                for (label i = 0; i < 1000; ++i)
                 {
                     spheres.step();
                     shallow.see(spheres.overlap());
