@@ -168,23 +168,24 @@ void Foam::cghs::cghsCloud::solidsStep
         }
     }
 
+    const scalar half = 0.5*deltaT;
     {
         addProfiling(suspension, "cghs::suspension");
 
-        if (suspension_.valid())
-        {
-            suspension_->kick(parcels_, deltaT, last, fluidDeltaT);
-        }
-        else
-        {
-            fall(deltaT);
-        }
+        suspension_.valid() ? suspension_->kick(parcels_, half) : fall(half);
     }
 
-    if (contacts_.needed())
+    contacts_.impacts(parcels_, deltaT);
+
     {
-        contacts_.resolve(parcels_, deltaT);
+        addProfiling(suspension, "cghs::suspension");
+
+        suspension_.valid()
+      ? suspension_->kickAgain(parcels_, half, last, fluidDeltaT)
+      : fall(half);
     }
+
+    contacts_.correct(parcels_, deltaT);
 
     state_ = transport_.move(parcels_, deltaT);
     contacts_.moved(state_.maxDistance);

@@ -26,6 +26,7 @@ Foam::cghs::contactStage::contactStage
     search_(layerAxis(g)),
     travelled_(GREAT),
     allowed_(0),
+    previousDeltaT_(0),
     wallBody_(0),
     nBuilds_(0),
     maxOverlap_(0)
@@ -332,8 +333,36 @@ void Foam::cghs::contactStage::relabel
 }
 
 
-void Foam::cghs::contactStage::resolve(arena& parcels, const scalar deltaT)
+void Foam::cghs::contactStage::sweep
+(
+    arena& parcels,
+    const label sweepi,
+    const scalar deltaT
+)
 {
+    const stepScales step{deltaT, magG_*deltaT, previousDeltaT_};
+    bodies b(parcels.contactBodies());
+
+    model_->sweep(sweepi, contacts_, b, step);
+
+    ranks_.sweep
+    (
+        parcels,
+        [&](contactList& contacts)
+        {
+            model_->sweep(sweepi, contacts, b, step);
+        }
+    );
+}
+
+
+void Foam::cghs::contactStage::impacts(arena& parcels, const scalar deltaT)
+{
+    if (!needed())
+    {
+        return;
+    }
+
     addProfiling(contact, "cghs::contact");
 
     if (ranks_.active())
@@ -343,23 +372,25 @@ void Foam::cghs::contactStage::resolve(arena& parcels, const scalar deltaT)
 
     parcels.clearShifts();
     findContacts(parcels);
+    sweep(parcels, 0, deltaT);
+}
 
-    const stepScales step{deltaT, magG_*deltaT};
-    bodies b(parcels.contactBodies());
 
-    for (label sweepi = 0; sweepi < model_->nSweeps(); ++sweepi)
+void Foam::cghs::contactStage::correct(arena& parcels, const scalar deltaT)
+{
+    if (!needed())
     {
-        model_->sweep(sweepi, contacts_, b, step);
-
-        ranks_.sweep
-        (
-            parcels,
-            [&](contactList& contacts)
-            {
-                model_->sweep(sweepi, contacts, b, step);
-            }
-        );
+        return;
     }
+
+    addProfiling(contact, "cghs::contact");
+
+    for (label sweepi = 1; sweepi < model_->nSweeps(); ++sweepi)
+    {
+        sweep(parcels, sweepi, deltaT);
+    }
+
+    previousDeltaT_ = deltaT;
 }
 
 

@@ -64,13 +64,27 @@ void Foam::cghs::suspension::findRates
 }
 
 
-void Foam::cghs::suspension::kick
+inline void Foam::cghs::suspension::accelerate
 (
     arena& parcels,
-    const scalar deltaT,
-    const bool last,
-    const scalar fluidDeltaT
+    const label i,
+    const scalar time
 )
+{
+    const label celli = parcels.cells[i];
+    const carrier& c = carriers_[celli];
+    motion& m = parcels.motions[i];
+
+    const scalar K = rates_[i];
+    const vector field(g_ - (parcels.volume(i)*m.invMass)*c.gradP);
+
+    m.v = (m.v + time*(K*c.u + field))/(1 + time*K);
+
+    impulse_[celli] += (time*K/m.invMass)*(c.u - m.v);
+}
+
+
+void Foam::cghs::suspension::kick(arena& parcels, const scalar halfDeltaT)
 {
     const label nOwn = parcels.size();
 
@@ -82,25 +96,30 @@ void Foam::cghs::suspension::kick
 
         for (label i = from; i < from + n; ++i)
         {
-            const label celli = parcels.cells[i];
-            const carrier& c = carriers_[celli];
-            motion& m = parcels.motions[i];
+            accelerate(parcels, i, halfDeltaT);
+        }
+    }
+}
 
+
+void Foam::cghs::suspension::kickAgain
+(
+    arena& parcels,
+    const scalar halfDeltaT,
+    const bool last,
+    const scalar fluidDeltaT
+)
+{
+    for (label i = 0; i < parcels.size(); ++i)
+    {
+        accelerate(parcels, i, halfDeltaT);
+
+        if (last)
+        {
             const scalar K = rates_[i];
-            const scalar mass = m.mass();
-            const vector field
-            (
-                g_ - (parcels.volume(i)*m.invMass)*c.gradP
-            );
 
-            m.v = (m.v + deltaT*(K*c.u + field))/(1 + deltaT*K);
-
-            impulse_[celli] += (mass*deltaT*K)*(c.u - m.v);
-
-            if (last)
-            {
-                response_[celli] += mass*K/(1 + fluidDeltaT*K);
-            }
+            response_[parcels.cells[i]] +=
+                K/((1 + fluidDeltaT*K)*parcels.motions[i].invMass);
         }
     }
 }

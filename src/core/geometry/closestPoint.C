@@ -34,7 +34,11 @@ Foam::cghs::nearestOnTriangle Foam::cghs::closestPoint
     const vector normal((b - a) ^ (c - a));
     const scalar area2 = magSqr(normal);
 
-    if (area2 > VSMALL)
+    // A sliver has no plane to speak of
+    const scalar longest =
+        max(max(magSqr(b - a), magSqr(c - b)), magSqr(a - c));
+
+    if (area2 > SMALL*sqr(longest))
     {
         // Barycentric coordinates of the foot of the perpendicular
         const scalar u = (((c - b) ^ (x - b)) & normal)/area2;

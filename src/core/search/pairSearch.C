@@ -10,6 +10,49 @@
 
 // * * * * * * * * * * * * * * * * The grid  * * * * * * * * * * * * * * * * //
 
+Foam::scalar Foam::cghs::pairSearch::nCells(const vector& span) const
+{
+    scalar n = 1;
+
+    for (direction d = 0; d < 3; ++d)
+    {
+        n *= floor(span[d]/width_) + 1;
+    }
+
+    return n;
+}
+
+
+void Foam::cghs::pairSearch::bulkOf
+(
+    const UList<sphere>& own,
+    vector& low,
+    vector& high
+)
+{
+    // So many in a hundred, at each end of each direction, are not the bulk
+    constexpr label strays = 1;
+
+    const label cut = strays*own.size()/100;
+    List<scalar> x(own.size());
+
+    for (direction d = 0; d < 3; ++d)
+    {
+        forAll(own, i)
+        {
+            x[i] = own[i].x[d];
+        }
+
+        std::nth_element(x.begin(), x.begin() + cut, x.end());
+        low[d] = x[cut];
+
+        const label top = x.size() - 1 - cut;
+        std::nth_element(x.begin(), x.begin() + top, x.end());
+        high[d] = x[top];
+    }
+}
+
+
 void Foam::cghs::pairSearch::layGrid
 (
     const UList<sphere>& own,
@@ -30,24 +73,24 @@ void Foam::cghs::pairSearch::layGrid
         low = high = Zero;
     }
 
-    // A sparse scene gets wider cells instead of a grid of empty ones
     const scalar maxCells = 4.0*own.size() + 64;
-    const vector span(high - low);
-
-    origin_ = low;
     width_ = reach;
 
-    scalar nCells;
-    do
+    // A few strays far from the rest would make a grid of empty cells: they
+    // are counted to the outermost cells instead
+    if (nCells(high - low) > maxCells)
     {
-        nCells = 1;
-        for (direction d = 0; d < 3; ++d)
-        {
-            nCells *= floor(span[d]/width_) + 1;
-        }
-        width_ *= nCells > maxCells ? 1.3 : 1;
+        bulkOf(own, low, high);
     }
-    while (nCells > maxCells);
+
+    // What is sparse all over gets wider cells
+    while (nCells(high - low) > maxCells)
+    {
+        width_ *= 1.3;
+    }
+
+    origin_ = low;
+    const vector span(high - low);
 
     for (direction d = 0; d < 3; ++d)
     {

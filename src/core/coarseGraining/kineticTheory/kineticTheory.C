@@ -25,7 +25,8 @@ Foam::scalar Foam::cghs::kineticTheory::ofParcel
 {
     const scalar square = 1 + (sqr(e) - 1)*cbrt(W);
 
-    if (square < 0)
+    // The limit is printed with six digits: what is printed is to be accepted
+    if (square < -1e-5)
     {
         FatalIOErrorInFunction(dict)
             << "restitutionScaling kineticTheory has no real solution for"
@@ -37,5 +38,5 @@ Foam::scalar Foam::cghs::kineticTheory::ofParcel
             << exit(FatalIOError);
     }
 
-    return sqrt(square);
+    return sqrt(max(square, scalar(0)));
 }

@@ -23,5 +23,5 @@ Foam::scalar Foam::cghs::logarithmic::ofParcel
     const scalar W
 ) const
 {
-    return e > 0 ? exp(sqrt(W)*log(e)) : 0;
+    return pow(e, sqrt(W));
 }

@@ -16,30 +16,36 @@ namespace cghs
     defineTypeNameAndDebug(hardSphere, 0);
     addToRunTimeSelectionTable(contactModel, hardSphere, dictionary);
 
-    static impactCoeffs readCoeffs
-    (
-        const dictionary& parent,
-        const word& name,
-        const restitutionScaling& scaling,
-        const scalar parcelWeight
-    )
+    static impactCoeffs readCoeffs(const dictionary& dict)
     {
-        const dictionary& dict = parent.subDict(name);
-        const word entry("restitutionCoefficient");
-
         return impactCoeffs
         {
-            scaling.ofParcel
-            (
-                dict,
-                scalarInRange(dict, entry, 0, 1),
-                parcelWeight
-            ),
+            scalarInRange(dict, "restitutionCoefficient", 0, 1),
             scalarInRange(dict, "tangentialRestitutionCoefficient", 0, 1),
             scalarInRange(dict, "frictionCoefficient", 0, GREAT)
         };
     }
 
+
+    static impactTable readTable
+    (
+        const dictionary& dict,
+        const scalar parcelWeight
+    )
+    {
+        const dictionary& pairs = dict.subDict("parcelParcel");
+
+        impactTable table
+        ({
+            readCoeffs(pairs),
+            readCoeffs(dict.subDict("parcelWall"))
+        });
+
+        scalar& e = table[contact::parcelParcel].en;
+        e = restitutionScaling::New(dict)->ofParcel(pairs, e, parcelWeight);
+
+        return table;
+    }
 }
 }
 
@@ -50,12 +56,7 @@ Foam::cghs::hardSphere::hardSphere
     const scalar parcelWeight
 )
 :
-    scaling_(restitutionScaling::New(dict)),
-    coeffs_
-    ({
-        readCoeffs(dict, "parcelParcel", scaling_(), parcelWeight),
-        readCoeffs(dict, "parcelWall", scaling_(), parcelWeight)
-    }),
+    coeffs_(readTable(dict, parcelWeight)),
     correction_(correctionModel::New(dict))
 {}
 

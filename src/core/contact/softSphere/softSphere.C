@@ -50,29 +50,48 @@ Foam::cghs::softSphere::stiffnessScalingNames
 });
 
 
-Foam::cghs::softSphere::springCoeffs Foam::cghs::softSphere::readCoeffs
+Foam::cghs::softSphere::springCoeffs Foam::cghs::softSphere::springOf
 (
-    const dictionary& parent,
-    const word& name,
-    const scalar parcelWeight
-) const
+    const scalar e,
+    const scalar mu
+)
 {
-    const dictionary& dict = parent.subDict(name);
-
-    const scalar e =
-        restitution_->ofParcel
-        (
-            dict,
-            scalarInRange(dict, "restitutionCoefficient", SMALL, 1),
-            parcelWeight
-        );
     const scalar lnE = log(max(e, SMALL));
 
-    return springCoeffs
-    {
-        mag(lnE)/sqrt(sqr(pi) + sqr(lnE)),
-        scalarInRange(dict, "frictionCoefficient", 0, GREAT)
-    };
+    return springCoeffs{mag(lnE)/sqrt(sqr(pi) + sqr(lnE)), mu};
+}
+
+
+Foam::FixedList<Foam::cghs::softSphere::springCoeffs, 2>
+Foam::cghs::softSphere::readTable
+(
+    const dictionary& dict,
+    const scalar parcelWeight
+)
+{
+    const dictionary& pairs = dict.subDict("parcelParcel");
+    const dictionary& walls = dict.subDict("parcelWall");
+    const word e("restitutionCoefficient");
+    const word mu("frictionCoefficient");
+
+    return FixedList<springCoeffs, 2>
+    ({
+        springOf
+        (
+            restitutionScaling::New(dict)->ofParcel
+            (
+                pairs,
+                scalarInRange(pairs, e, SMALL, 1),
+                parcelWeight
+            ),
+            scalarInRange(pairs, mu, 0, GREAT)
+        ),
+        springOf
+        (
+            scalarInRange(walls, e, SMALL, 1),
+            scalarInRange(walls, mu, 0, GREAT)
+        )
+    });
 }
 
 
@@ -82,7 +101,6 @@ Foam::cghs::softSphere::softSphere
     const scalar parcelWeight
 )
 :
-    restitution_(restitutionScaling::New(dict)),
     stiffness_
     (
         positiveScalar(dict, "springConstant")
@@ -92,11 +110,7 @@ Foam::cghs::softSphere::softSphere
             parcelWeight
         )
     ),
-    coeffs_
-    ({
-        readCoeffs(dict, "parcelParcel", parcelWeight),
-        readCoeffs(dict, "parcelWall", parcelWeight)
-    }),
+    coeffs_(readTable(dict, parcelWeight)),
     warned_(false)
 {}
 

@@ -96,6 +96,10 @@ void Foam::cghs::accumulatedImpulse::begin
     const stepScales& step
 ) const
 {
+    // A force that lasts passes on an impulse in proportion to the step
+    const scalar longer =
+        step.previousDeltaT > 0 ? step.deltaT/step.previousDeltaT : 1;
+
     forAll(list.contacts, i)
     {
         const contact& c = list.contacts[i];
@@ -103,6 +107,10 @@ void Foam::cghs::accumulatedImpulse::begin
 
         if (memory.load > 0)
         {
+            memory.load *= longer;
+            memory.held *= longer;
+            memory.rubbing *= longer;
+
             const scalar trusted =
                 growth*memory.held + effectiveMass(c, b)*step.speed;
 

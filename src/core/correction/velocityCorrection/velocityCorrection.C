@@ -5,7 +5,6 @@
 
 #include "velocityCorrection.H"
 #include "hardSphereImpulse.H"
-#include "interleave.H"
 #include "checkedEntry.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -44,9 +43,11 @@ Foam::scalar Foam::cghs::velocityCorrection::sweep
 
     scalar work = 0;
 
-    interleave(contacts.size(), backwards, [&](const label i)
+    const label n = contacts.size();
+
+    for (label i = 0; i < n; ++i)
     {
-        const contact& c = contacts[i];
+        const contact& c = contacts[backwards ? n - 1 - i : i];
         const scalar vn = partingSpeed(c, b);
         const scalar room = c.overlap*rDeltaT;
 
@@ -60,7 +61,7 @@ Foam::scalar Foam::cghs::velocityCorrection::sweep
         const scalar J = effectiveMass(c, b)*gain;
         push(c, b, J*c.n);
         work += J*(vn + 0.5*gain);
-    });
+    }
 
     return work;
 }
