@@ -32,6 +32,23 @@ static IOobject fieldIO
     return IOobject(name, mesh.time().timeName(), mesh, read, write);
 }
 
+
+//- Where the pressure gradient is what balances the forces (fixedFluxPressure),
+//  the forces are those of the cell beside: the given velocity is the result of
+//  that balance, not of there being none
+static void takeFromCells(volVectorField& field, const volScalarField& p)
+{
+    forAll(p.boundaryField(), patchi)
+    {
+        if (isA<fixedFluxPressureFvPatchScalarField>(p.boundaryField()[patchi]))
+        {
+            fvPatchVectorField& values = field.boundaryFieldRef()[patchi];
+
+            values == values.patchInternalField();
+        }
+    }
+}
+
 } // End namespace cghs
 } // End namespace Foam
 
@@ -196,9 +213,12 @@ Foam::cghs::incompressibleFluid::forceFlux
     const surfaceScalarField& rAUf
 ) const
 {
+    volVectorField push(rAU*force);
+    takeFromCells(push, p_);
+
     tmp<surfaceScalarField> tflux
     (
-        fvc::flux(rAU*force) + alphaf_*rAUf*(g_ & mesh_.Sf())
+        fvc::flux(push) + alphaf_*rAUf*(g_ & mesh_.Sf())
     );
     surfaceScalarField::Boundary& flux = tflux.ref().boundaryFieldRef();
 
@@ -231,7 +251,9 @@ void Foam::cghs::incompressibleFluid::correctPressure
     const surfaceScalarField& forces
 )
 {
-    const volVectorField HbyA(constrainHbyA(rAU*UEqn.H(), U_, p_));
+    volVectorField HbyA(constrainHbyA(rAU*UEqn.H(), U_, p_));
+    takeFromCells(HbyA, p_);
+
     const surfaceScalarField alpharAUf("alpharAUf", alphaf_*rAUf);
 
     surfaceScalarField phiHbyA

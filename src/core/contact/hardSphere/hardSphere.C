@@ -6,7 +6,6 @@
 #include "hardSphere.H"
 #include "restitutionScaling.H"
 #include "checkedEntry.H"
-#include "interleave.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -83,7 +82,7 @@ void Foam::cghs::hardSphere::sweep
 
         const scalar restingSpeed = correction_->restingSteps()*step.speed;
 
-        interleave(list.contacts.size(), false, [&](const label i)
+        forAll(list.contacts, i)
         {
             // A contact that bears load is no impact
             if (list.memories.empty() || list.memories[i].held == 0)
@@ -91,7 +90,7 @@ void Foam::cghs::hardSphere::sweep
                 const contact& c = list.contacts[i];
                 collide(c, b, coeffs_[c.surface], restingSpeed);
             }
-        });
+        }
     }
     else
     {

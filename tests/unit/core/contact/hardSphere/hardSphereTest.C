@@ -264,12 +264,13 @@ TEST_CASE("The restitution of pairs and walls is that of parcels of W",
     for (label i = 0; i < 100; ++i)
     {
         twoBodies pair(i % 2 ? randomPair(random) : randomWall(random));
-        const scalar e = i % 2 ? ofPairs.en : ofWalls.en;
+        const scalar e =
+            i % 2 ? pow(ofPairs.en, sqrt(W)) : ofWalls.en;
         const scalar scale = pair.speedScale();
         const scalar vn = partingSpeed(pair);
         sweep(*model, 0, pair);
 
-        scaled.see(mag(partingSpeed(pair) + pow(e, sqrt(W))*vn)/scale);
+        scaled.see(mag(partingSpeed(pair) + e*vn)/scale);
     }
 
     scaled.settle();
