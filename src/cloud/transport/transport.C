@@ -67,7 +67,17 @@ void Foam::cghs::transport::readActions(const dictionary& dict)
         }
         else
         {
-            actions_[patchi] = actionNames.get(pp.name(), dict);
+            const word name(dict.get<word>(pp.name()));
+
+            if (!actionNames.found(name))
+            {
+                FatalIOErrorInFunction(dict)
+                    << "Unknown action " << name << " for patch " << pp.name()
+                    << nl << "Valid choices: " << actionNames << nl
+                    << exit(FatalIOError);
+            }
+
+            actions_[patchi] = actionNames[name];
         }
     }
 }
