@@ -117,26 +117,32 @@ static void checkPositive(const passiveParticleCloud& files, const word& name)
     }
 }
 
-//- Stop if the exact position of a parcel is not the place in the mesh that
-//  OpenFOAM's coordinates give, but for rounding of either
+//- Stop if the exact position of a parcel is not in or by the mesh cell that
+//  OpenFOAM's coordinates give. They need not agree closely: in warped cells
+//  decomposePar moves what it knows by coordinates alone
 static void checkPlace
 (
     const passiveParticleCloud& files,
     const label i,
-    const vector& exact,
-    const vector& inMesh,
+    const vector& x,
+    const label celli,
     const scalar diameter
 )
 {
-    if (mag(exact - inMesh) > 0.05*diameter + 1e-5*mag(inMesh))
+    const polyMesh& mesh = files.pMesh();
+    boundBox cell(mesh.points(), mesh.cellPoints()[celli], false);
+    const vector margin(vector::uniform(diameter));
+
+    if (!boundBox(cell.min() - margin, cell.max() + margin).contains(x))
     {
         FatalErrorInFunction
-            << "Parcel " << i << " is at " << exact << " in "
+            << "Parcel " << i << " is at " << x << " in "
             << files.fieldIOobject
                ("position", IOobject::NO_READ).objectPath()
-            << nl << "but at " << inMesh << " in the mesh by its coordinates"
-            << nl << "Is it outside the mesh, or was one of the two files"
-            << " edited? Remove position to go by coordinates" << nl
+            << nl << "but in cell " << celli << " around "
+            << mesh.cellCentres()[celli] << " by its coordinates" << nl
+            << "Is it outside the mesh, or was one of the two files edited?"
+            << " Remove position to go by coordinates" << nl
             << exit(FatalError);
     }
 }
@@ -198,7 +204,7 @@ void Foam::cghs::readParcels
 
         if (exact)
         {
-            checkPlace(files, i, x[i], p.position(), 2*radius);
+            checkPlace(files, i, x[i], p.cell(), 2*radius);
         }
 
         parcels.spheres[i] = sphere(exact ? x[i] : p.position(), radius);

@@ -235,6 +235,7 @@ Foam::label Foam::cghs::transport::settleFrom
 (
     arena& parcels,
     const label first,
+    DynamicList<label>& entries,
     bool& anySent
 )
 {
@@ -250,8 +251,19 @@ Foam::label Foam::cghs::transport::settleFrom
     for (label i = first; i < parcels.size(); ++i)
     {
         label facei;
+        const fate next = settleOne(parcels, i, facei);
 
-        switch (settleOne(parcels, i, facei))
+        if
+        (
+            next == fate::passes
+         && entries.size()
+         && facei == entries[i - first]
+        )
+        {
+            continue;
+        }
+
+        switch (next)
         {
             case fate::stays:
                 break;
@@ -317,6 +329,7 @@ Foam::label Foam::cghs::transport::settleFrom
     }
 
     const label firstNew = parcels.size();
+    entries.clear();
     const labelList& procPatches = mesh_.globalData().processorPatches();
 
     forAll(sizes, rank)
@@ -336,6 +349,7 @@ Foam::label Foam::cghs::transport::settleFrom
             const polyPatch& pp = patches[procPatches[p.patch]];
 
             parcels.cells[i] = pp.faceCells()[p.face];
+            entries.append(pp.start() + p.face);
 
             // Between the two sides of a period the centres differ
             if (isA<processorCyclicPolyPatch>(pp))
@@ -355,14 +369,17 @@ void Foam::cghs::transport::settle(arena& parcels)
 {
     parcels.dismissGuests();
 
-    label first = 0;
-    bool anySent;
+    // More ranks than this are not passed in a step that makes sense
+    constexpr label patience = 20;
 
-    do
+    label first = 0;
+    bool anySent = true;
+    DynamicList<label> entries;
+
+    for (label round = 0; anySent && round < patience; ++round)
     {
-        first = settleFrom(parcels, first, anySent);
+        first = settleFrom(parcels, first, entries, anySent);
     }
-    while (anySent);
 }
 
 // * * * * * * * * * * * * * * * * The motion  * * * * * * * * * * * * * * * //

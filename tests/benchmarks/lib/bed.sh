@@ -61,5 +61,5 @@ makeBed()
 {
     makeBox "$1" "$2" "$3" "$4"
     "$benchmarkLib/tile.py" tile "$1" "$2" "$3" "$4" "${6:-}"
-    setEntry "$1/system/controlDict" endTime "$(calculate "1e-4*$5")"
+    runUntil "$1" 0 "$(calculate "1e-4*$5")"
 }

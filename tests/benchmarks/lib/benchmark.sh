@@ -21,3 +21,12 @@ entry()
 {
     foamDictionary "$1" -entry "$2" -value
 }
+
+
+# runUntil CASE START END: let a case run from its time START to END [s], and
+# write there alone
+runUntil()
+{
+    setEntry "$1/system/controlDict" endTime "$3"
+    setEntry "$1/system/controlDict" writeInterval "$(calculate "$3-$2")"
+}

@@ -141,26 +141,28 @@ STAGES = {
 
 
 def print_stages(profiles, n_parcels, n_cells, solids_steps, fluid_steps):
-    """Medians over runs of the same length, per parcel and solids step and
-    per cell and fluid step."""
-    print(f"    {'stage':33s} {'share':>6s} {'ns/parcel-step':>15s}", end="")
-    print(f" {'ns/cell-step':>13s}" if n_cells else "")
-
-    per_parcel = 1e9 / max(n_parcels * solids_steps, 1)
-    per_cell = 1e9 / max(n_cells * fluid_steps, 1)
-    total = median([p.total for p in profiles])
-
+    """Medians over runs of the same length: shares, and the time per parcel
+    and solids step and per cell and fluid step, where there are such."""
+    units = [
+        (heading, 1e9 / (n * steps))
+        for heading, n, steps in (
+            ("ns/parcel-step", n_parcels, solids_steps),
+            ("ns/cell-step", n_cells, fluid_steps),
+        )
+        if n and steps
+    ]
     rows = [
         (title, median([p.seconds.get(stage, 0.0) for p in profiles]))
         for stage, title in STAGES.items()
     ]
+    total = median([p.total for p in profiles])
+
+    headings = "".join(f" {heading:>15s}" for heading, _ in units)
+    print(f"    {'stage':33s} {'share':>6s}{headings}")
     for title, cpu in rows + [("all", total)]:
         if cpu:
-            print(
-                f"    {title:33s} {100*cpu/total:5.1f}% {cpu*per_parcel:15.1f}",
-                end="",
-            )
-            print(f" {cpu*per_cell:13.0f}" if n_cells else "")
+            values = "".join(f" {cpu*unit:15.1f}" for _, unit in units)
+            print(f"    {title:33s} {100*cpu/total:5.1f}%{values}")
 
 
 # ---- How figures are told ---------------------------------------------------

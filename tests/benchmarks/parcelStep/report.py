@@ -13,7 +13,11 @@ sys.path.append(os.environ["PROJECT_DIR"] + "/tests/benchmarks/lib")
 import measure as ms
 
 ROUNDS = (1, 2, 3)
-BEDS = {"1e4": (10**4, 1331), "1e5": (10**5, 13310), "1e6": (10**6, 133100)}
+BEDS = {
+    "1e4": (10**4, 1331, range(1, 10)),
+    "1e5": (10**5, 13310, ROUNDS),
+    "1e6": (10**6, 133100, ROUNDS),
+}
 NOT_OURS = ("cghs::fluid", "cghs::report", "other")
 
 
@@ -27,11 +31,11 @@ def memory(bed, k):
     )
 
 
-step = {}
-for bed, (n, cells) in BEDS.items():
-    logs = [ms.Log(f"log.{bed}-{r}") for r in ROUNDS]
+step, stage_ns = {}, {}
+for bed, (n, cells, rounds) in BEDS.items():
+    logs = [ms.Log(f"log.{bed}-{r}") for r in rounds]
     profiles = [
-        ms.Profile(f"profile-{bed}-{r}", log) for r, log in zip(ROUNDS, logs)
+        ms.Profile(f"profile-{bed}-{r}", log) for r, log in zip(rounds, logs)
     ]
     solids_steps = sum(logs[0].solids_steps)
     fluid_steps = len(logs[0].solids_steps)
@@ -40,6 +44,11 @@ for bed, (n, cells) in BEDS.items():
         / (n * solids_steps)
         for p in profiles
     ]
+    stage_ns[bed] = {
+        k: 1e9 * ms.median([p.seconds.get(k, 0.0) for p in profiles])
+        / (n * solids_steps)
+        for k in ms.STAGES
+    }
     print(
         f"\n    {bed} parcels, {cells} cells: {solids_steps:.0f} steps,"
         f" {sum(logs[0].lists):.0f} contact lists;"
@@ -48,13 +57,19 @@ for bed, (n, cells) in BEDS.items():
     )
     ms.print_stages(profiles, n, cells, solids_steps, fluid_steps)
 
-growth = ms.median(step["1e6"]) / ms.median(step["1e4"])
+print(f"\n    {'growth of what a parcel costs':33s} {'to 1e5':>8s} {'to 1e6':>8s}")
+for stage, title in ms.STAGES.items():
+    ns = [stage_ns[bed].get(stage, 0.0) for bed in BEDS]
+    if stage not in NOT_OURS and ns[0] > 5:
+        print(f"    {title:33s} {ns[1]/ns[0]:8.2f} {ns[2]/ns[0]:8.2f}")
+us = [ms.median(step[bed]) for bed in BEDS]
+print(f"    {'parcel-step':33s} {us[1]/us[0]:8.2f} {us[2]/us[0]:8.2f}")
+
 per_parcel = [
     (memory("1e5", k) - memory("sparse", k)) / 9e4 for k in (0, 1)
 ]
-print(f"\n    growth of the parcel-step from 1e4 to 1e6: {growth:.2f}")
 print(
-    f"    memory of a parcel: {per_parcel[0]:.0f} bytes while it runs,"
+    f"\n    memory of a parcel: {per_parcel[0]:.0f} bytes while it runs,"
     f" {per_parcel[1]:.0f} at the most (reading)\n"
 )
 
