@@ -110,6 +110,11 @@ void Foam::cghs::suspension::kickAgain
     const scalar fluidDeltaT
 )
 {
+    if (last)
+    {
+        respondingCells_ = SubList<label>(parcels.cells, parcels.size());
+    }
+
     for (label i = 0; i < parcels.size(); ++i)
     {
         accelerate(parcels, i, halfDeltaT);
@@ -135,7 +140,7 @@ void Foam::cghs::suspension::complete
 {
     for (label i = 0; i < parcels.size(); ++i)
     {
-        const label celli = parcels.cells[i];
+        const label celli = respondingCells_[i];
         motion& m = parcels.motions[i];
         const scalar K = rates_[i];
 

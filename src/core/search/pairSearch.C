@@ -74,7 +74,7 @@ void Foam::cghs::pairSearch::layGrid
     }
 
     const scalar maxCells = 4.0*own.size() + 64;
-    width_ = reach;
+    width_ = max(reach, VSMALL);
 
     // A few strays far from the rest would make a grid of empty cells: they
     // are counted to the outermost cells instead

@@ -36,15 +36,41 @@ static IOobject fieldIO
 //- Where the pressure gradient is what balances the forces (fixedFluxPressure),
 //  the forces are those of the cell beside: the given velocity is the result of
 //  that balance, not of there being none
-static void takeFromCells(volVectorField& field, const volScalarField& p)
+static void takeFromCells
+(
+    surfaceScalarField& flux,
+    const volVectorField& field,
+    const volScalarField& p
+)
 {
     forAll(p.boundaryField(), patchi)
     {
         if (isA<fixedFluxPressureFvPatchScalarField>(p.boundaryField()[patchi]))
         {
-            fvPatchVectorField& values = field.boundaryFieldRef()[patchi];
+            const fvPatchVectorField& values = field.boundaryField()[patchi];
 
-            values == values.patchInternalField();
+            flux.boundaryFieldRef()[patchi] =
+                values.patchInternalField() & values.patch().Sf();
+        }
+    }
+}
+
+
+//- And the result is the given velocity, to the last digit
+static void takeFromPatches
+(
+    surfaceScalarField& flux,
+    const volVectorField& field,
+    const volScalarField& p
+)
+{
+    forAll(p.boundaryField(), patchi)
+    {
+        if (isA<fixedFluxPressureFvPatchScalarField>(p.boundaryField()[patchi]))
+        {
+            const fvPatchVectorField& values = field.boundaryField()[patchi];
+
+            flux.boundaryFieldRef()[patchi] = values & values.patch().Sf();
         }
     }
 }
@@ -206,20 +232,12 @@ void Foam::cghs::incompressibleFluid::setSolids(const volScalarField& theta)
 
 
 Foam::tmp<Foam::surfaceScalarField>
-Foam::cghs::incompressibleFluid::forceFlux
+Foam::cghs::incompressibleFluid::gravityFlux
 (
-    const volVectorField& force,
-    const volScalarField& rAU,
     const surfaceScalarField& rAUf
 ) const
 {
-    volVectorField push(rAU*force);
-    takeFromCells(push, p_);
-
-    tmp<surfaceScalarField> tflux
-    (
-        fvc::flux(push) + alphaf_*rAUf*(g_ & mesh_.Sf())
-    );
+    tmp<surfaceScalarField> tflux(alphaf_*rAUf*(g_ & mesh_.Sf()));
     surfaceScalarField::Boundary& flux = tflux.ref().boundaryFieldRef();
 
     // Where the velocity is given no force changes it, unless the pressure
@@ -248,12 +266,10 @@ void Foam::cghs::incompressibleFluid::correctPressure
     const fvVectorMatrix& UEqn,
     const volScalarField& rAU,
     const surfaceScalarField& rAUf,
-    const surfaceScalarField& forces
+    const surfaceScalarField& gravity
 )
 {
-    volVectorField HbyA(constrainHbyA(rAU*UEqn.H(), U_, p_));
-    takeFromCells(HbyA, p_);
-
+    const volVectorField HbyA(constrainHbyA(rAU*UEqn.H(), U_, p_));
     const surfaceScalarField alpharAUf("alpharAUf", alphaf_*rAUf);
 
     surfaceScalarField phiHbyA
@@ -267,7 +283,8 @@ void Foam::cghs::incompressibleFluid::correctPressure
         adjustPhi(phiHbyA, U_, p_);
     }
 
-    phiHbyA += forces;
+    takeFromCells(phiHbyA, HbyA, p_);
+    phiHbyA += gravity;
     constrainPressure(p_, U_, phiHbyA, alpharAUf);
 
     while (piso_.correctNonOrthogonal())
@@ -287,9 +304,10 @@ void Foam::cghs::incompressibleFluid::correctPressure
             const surfaceScalarField pFlux(pEqn.flux()/alphaf_);
 
             phi_ = phiHbyA - pFlux;
+            takeFromPatches(phi_, U_, p_);
             alphaPhi_ = alphaf_*phi_;
 
-            U_ = HbyA + rAU*fvc::reconstruct((forces - pFlux)/rAUf);
+            U_ = HbyA + rAU*fvc::reconstruct((gravity - pFlux)/rAUf);
             U_.correctBoundaryConditions();
         }
     }
@@ -324,15 +342,14 @@ void Foam::cghs::incompressibleFluid::solve
       - fvm::Sp(fvc::ddt(alpha_) + fvc::div(alphaPhi_), U_)
       + turbulence_->divDevRhoReff(U_)
       + fvm::Sp(R, U_)
+     ==
+        R*U_.oldTime() - drag/rho_
     );
     UEqn.relax();
 
     const volScalarField rAU("rAU", 1/UEqn.A());
     const surfaceScalarField rAUf("rAUf", fvc::interpolate(rAU));
-    const surfaceScalarField forces
-    (
-        forceFlux(R*U_.oldTime() - drag/rho_, rAU, rAUf)
-    );
+    const surfaceScalarField gravity(gravityFlux(rAUf));
 
     if (piso_.momentumPredictor())
     {
@@ -342,14 +359,14 @@ void Foam::cghs::incompressibleFluid::solve
          ==
             fvc::reconstruct
             (
-                forces/rAUf - alphaf_*fvc::snGrad(p_)*mesh_.magSf()
+                gravity/rAUf - alphaf_*fvc::snGrad(p_)*mesh_.magSf()
             )
         );
     }
 
     while (piso_.correct())
     {
-        correctPressure(UEqn, rAU, rAUf, forces);
+        correctPressure(UEqn, rAU, rAUf, gravity);
     }
 
     turbulence_->correct();

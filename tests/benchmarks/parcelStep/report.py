@@ -57,7 +57,7 @@ for bed, (n, cells, rounds) in BEDS.items():
     )
     ms.print_stages(profiles, n, cells, solids_steps, fluid_steps)
 
-print(f"\n    {'growth of what a parcel costs':33s} {'to 1e5':>8s} {'to 1e6':>8s}")
+print(f"\n    {'growth of what a parcel costs':33s}   to 1e5   to 1e6")
 for stage, title in ms.STAGES.items():
     ns = [stage_ns[bed].get(stage, 0.0) for bed in BEDS]
     if stage not in NOT_OURS and ns[0] > 5:
