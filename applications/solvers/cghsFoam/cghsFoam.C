@@ -126,10 +126,11 @@ int main(int argc, char *argv[])
         report.write(Info, fluid);
         pace.report(Info);
 
-        if (runTime.write())
+        if (runTime.writeTime())
         {
             parcels.startAfresh();
         }
+        runTime.write();
 
         runTime.printExecutionTime(Info);
     }

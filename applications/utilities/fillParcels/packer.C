@@ -233,6 +233,16 @@ bool Foam::cghs::packer::addOnLattice
 }
 
 
+void Foam::cghs::packer::widenGrid(const scalar r)
+{
+    if (2*r > width_)
+    {
+        width_ = 2*r;
+        forget(placed_.size());
+    }
+}
+
+
 bool Foam::cghs::packer::fill
 (
     const boundBox& region,
@@ -242,11 +252,7 @@ bool Foam::cghs::packer::fill
 {
     const label before = placed_.size();
 
-    if (2*r > width_)
-    {
-        width_ = 2*r;
-        forget(before);
-    }
+    widenGrid(r);
 
     // The box holds whole spheres
     const vector margin(vector::uniform(r*(1 + 1e-9)));
@@ -273,6 +279,8 @@ Foam::label Foam::cghs::packer::capacity
     const scalar r
 )
 {
+    widenGrid(r);
+
     const vector margin(vector::uniform(r*(1 + 1e-9)));
     const boundBox centres(region.min() + margin, region.max() - margin);
 

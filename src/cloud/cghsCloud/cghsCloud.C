@@ -150,6 +150,20 @@ void Foam::cghs::cghsCloud::fall(const scalar deltaT)
 }
 
 
+void Foam::cghs::cghsCloud::startAfresh()
+{
+    contacts_.noteIndices(parcels_);
+    transport_.settle(parcels_);
+
+    if (contacts_.needed())
+    {
+        contacts_.rebuild(parcels_);
+    }
+
+    state_.crossed = false;
+}
+
+
 void Foam::cghs::cghsCloud::solidsStep
 (
     const scalar deltaT,
@@ -159,13 +173,7 @@ void Foam::cghs::cghsCloud::solidsStep
 {
     if (contacts_.needed() ? contacts_.stale() : state_.crossed)
     {
-        contacts_.noteIndices(parcels_);
-        transport_.settle(parcels_);
-
-        if (contacts_.needed())
-        {
-            contacts_.rebuild(parcels_);
-        }
+        startAfresh();
     }
 
     const scalar half = 0.5*deltaT;
@@ -212,6 +220,17 @@ void Foam::cghs::cghsCloud::evolve(const scalar deltaT)
         // number, seen from each
         const scalar n = ceil(remaining/solidsDeltaT() - SMALL);
         const bool last = n <= 1;
+
+        if (!(n < 1e6))
+        {
+            FatalErrorInFunction
+                << "The parcels' speed asks for " << n << " solids steps in "
+                << remaining << " s" << nl
+                << "The fastest moves by its diameter in "
+                << state_.diameterTime << " s: the run has gone out of hand."
+                << " Lower maxCo or maxDeltaT" << nl
+                << exit(FatalError);
+        }
         const scalar dt = last ? remaining : remaining/n;
 
         solidsStep(dt, last, deltaT);

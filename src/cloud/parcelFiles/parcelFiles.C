@@ -99,19 +99,24 @@ struct fieldRegistrar
 };
 
 
-static void checkPositive(const passiveParticleCloud& files, const word& name)
+static void checkAtLeast
+(
+    const passiveParticleCloud& files,
+    const word& name,
+    const scalar least
+)
 {
     const scalarField values(readField<scalar>(files, name));
 
     forAll(values, i)
     {
-        if (!(values[i] > 0))
+        if (!(values[i] >= least))
         {
             FatalErrorInFunction
                 << "Parcel " << i << " has " << name << ' ' << values[i]
                 << " in " << files.fieldIOobject
                    (name, IOobject::NO_READ).objectPath()
-                << nl << "It must be greater than zero" << nl
+                << nl << "It must be at least " << least << nl
                 << exit(FatalError);
         }
     }
@@ -168,10 +173,9 @@ void Foam::cghs::readParcels
         return;
     }
 
-    for (const word name : {"d", "rho", "nParticle"})
-    {
-        checkPositive(files, name);
-    }
+    checkAtLeast(files, "d", VSMALL);
+    checkAtLeast(files, "rho", VSMALL);
+    checkAtLeast(files, "nParticle", 1);
 
     const vectorField v(readField<vector>(files, "U"));
     const scalarField d(readField<scalar>(files, "d"));
