@@ -372,7 +372,11 @@ void Foam::cghs::contactStage::impacts(arena& parcels, const scalar deltaT)
 
     parcels.clearShifts();
     findContacts(parcels);
-    sweep(parcels, 0, deltaT);
+
+    for (label sweepi = 0; sweepi < model_->nImpactSweeps(); ++sweepi)
+    {
+        sweep(parcels, sweepi, deltaT);
+    }
 }
 
 
@@ -385,7 +389,12 @@ void Foam::cghs::contactStage::correct(arena& parcels, const scalar deltaT)
 
     addProfiling(contact, "cghs::contact");
 
-    for (label sweepi = 1; sweepi < model_->nSweeps(); ++sweepi)
+    for
+    (
+        label sweepi = model_->nImpactSweeps();
+        sweepi < model_->nSweeps();
+        ++sweepi
+    )
     {
         sweep(parcels, sweepi, deltaT);
     }

@@ -99,24 +99,26 @@ struct fieldRegistrar
 };
 
 
-static void checkAtLeast
+//- Stop at a value that is below 1, or else not above zero
+static void checkSize
 (
     const passiveParticleCloud& files,
     const word& name,
-    const scalar least
+    const bool atLeastOne = false
 )
 {
     const scalarField values(readField<scalar>(files, name));
 
     forAll(values, i)
     {
-        if (!(values[i] >= least))
+        if (!(atLeastOne ? values[i] >= 1 : values[i] > 0))
         {
             FatalErrorInFunction
                 << "Parcel " << i << " has " << name << ' ' << values[i]
                 << " in " << files.fieldIOobject
                    (name, IOobject::NO_READ).objectPath()
-                << nl << "It must be at least " << least << nl
+                << nl << "It must be "
+                << (atLeastOne ? "at least 1" : "greater than zero") << nl
                 << exit(FatalError);
         }
     }
@@ -173,9 +175,9 @@ void Foam::cghs::readParcels
         return;
     }
 
-    checkAtLeast(files, "d", VSMALL);
-    checkAtLeast(files, "rho", VSMALL);
-    checkAtLeast(files, "nParticle", 1);
+    checkSize(files, "d");
+    checkSize(files, "rho");
+    checkSize(files, "nParticle", true);
 
     const vectorField v(readField<vector>(files, "U"));
     const scalarField d(readField<scalar>(files, "d"));

@@ -152,10 +152,18 @@ void Foam::cghs::column::step()
     scene_.shifts = Zero;
     findContacts();
     kick(settings_.kickBefore);
-    model_->sweep(0, scene_, b, scales);
+    for (label sweepi = 0; sweepi < model_->nImpactSweeps(); ++sweepi)
+    {
+        model_->sweep(sweepi, scene_, b, scales);
+    }
     kick(1 - settings_.kickBefore);
 
-    for (label sweepi = 1; sweepi < model_->nSweeps(); ++sweepi)
+    for
+    (
+        label sweepi = model_->nImpactSweeps();
+        sweepi < model_->nSweeps();
+        ++sweepi
+    )
     {
         model_->sweep(sweepi, scene_, b, scales);
     }

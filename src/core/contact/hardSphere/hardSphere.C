@@ -76,10 +76,12 @@ void Foam::cghs::hardSphere::sweep
     const stepScales& step
 )
 {
-    if (sweepi == 0)
+    if (sweepi < nImpactSweeps() - 1)
     {
         correction_->begin(list, b, step);
-
+    }
+    else if (sweepi < nImpactSweeps())
+    {
         const scalar restingSpeed = correction_->restingSteps()*step.speed;
 
         forAll(list.contacts, i)
@@ -95,6 +97,13 @@ void Foam::cghs::hardSphere::sweep
     else
     {
         tally_.correctionWork +=
-            correction_->sweep(sweepi - 1, list, b, coeffs_, step);
+            correction_->sweep
+            (
+                sweepi - nImpactSweeps(),
+                list,
+                b,
+                coeffs_,
+                step
+            );
     }
 }
