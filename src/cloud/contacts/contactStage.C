@@ -20,6 +20,7 @@ Foam::cghs::contactStage::contactStage
     model_(std::move(model)),
     magG_(mag(g)),
     margin_(model_->margin()),
+    remember_(model_->needsMemory()),
     skinShare_(skinShare),
     walls_(mesh, wallPatches),
     ranks_(periods),
@@ -73,7 +74,7 @@ void Foam::cghs::contactStage::rebuild(arena& parcels)
     const label formerWall = wallBody_;
     wallBody_ = parcels.addGuests(1);
 
-    if (model_->needsMemory())
+    if (remember_)
     {
         relabel(parcels, formerWall);
     }
@@ -90,8 +91,9 @@ inline void Foam::cghs::contactStage::appendIfTouching
     const arena& parcels,
     const label i,
     const label j,
+    const label bodyOfJ,
     const label slot,
-    DynamicList<contact>& contacts
+    contactLog& log
 )
 {
     const sphere& a = parcels.spheres[i];
@@ -99,125 +101,79 @@ inline void Foam::cghs::contactStage::appendIfTouching
 
     const vector d(b.x - a.x);
     const scalar sumOfRadii = a.r + b.r;
+    const scalar smaller = min(a.r, b.r);
 
-    if (magSqr(d) < sqr(sumOfRadii + 2*margin_*min(a.r, b.r)))
+    if (magSqr(d) < sqr(sumOfRadii + 2*margin_*smaller))
     {
         const contact c
         (
-            makeContact(i, j, contact::parcelParcel, slot, d, sumOfRadii)
+            makeContact
+            (
+                i, bodyOfJ, contact::parcelParcel, slot, d, sumOfRadii
+            )
         );
 
-        maxOverlap_ = max(maxOverlap_, 0.5*c.overlap/min(a.r, b.r));
-        contacts.append(c);
+        if (c.overlap > 2*smaller*maxOverlap_)
+        {
+            maxOverlap_ = 0.5*c.overlap/smaller;
+        }
+        log.append(c, remember_);
     }
 }
 
 
 void Foam::cghs::contactStage::findContacts(arena& parcels)
 {
+    contacts_.turnOver(remember_);
+    ranks_.clearContacts(remember_);
+
     // Slots: walls by parcel, then pairs, then pairs with guests
+    walls_.touch
+    (
+        parcels.spheres,
+        wallBody_,
+        margin_,
+        [&](const contact& c)
+        {
+            maxOverlap_ =
+                max(maxOverlap_, 0.5*c.overlap/parcels.spheres[c.a].r);
+            contacts_.append(c, remember_);
+        }
+    );
+
     label slot = parcels.size();
-
-    const bool remember = model_->needsMemory();
-
-    if (remember)
-    {
-        previous_.swap(contacts_);
-    }
-    contacts_.clear();
-    ranks_.clearContacts(remember);
-
-    DynamicList<contact>& own = contacts_.contacts;
-
-    walls_.touch(parcels.spheres, wallBody_, margin_, own);
-
-    for (const contact& c : own)
-    {
-        maxOverlap_ = max(maxOverlap_, 0.5*c.overlap/parcels.spheres[c.a].r);
-    }
 
     search_.forOwnPairs
     (
         [&](const label i, const label j)
         {
-            appendIfTouching(parcels, i, j, slot++, own);
+            appendIfTouching(parcels, i, j, j, slot++, contacts_);
         }
     );
 
     for (const labelPair& pair : search_.guestPairs())
     {
         const label guest = pair.second();
-        DynamicList<contact>& contacts =
-            ranks_.listFor(guest, parcels.size(), contacts_).contacts;
 
-        const label before = contacts.size();
-        appendIfTouching(parcels, pair.first(), guest, slot++, contacts);
-
-        if (contacts.size() > before)
-        {
-            contacts.last().b = ranks_.bodyOf(guest);
-        }
+        appendIfTouching
+        (
+            parcels,
+            pair.first(),
+            guest,
+            ranks_.bodyOf(guest),
+            slot++,
+            ranks_.logFor(guest, parcels.size(), contacts_)
+        );
     }
 
-    if (remember)
-    {
-        recall(contacts_, previous_);
-        ranks_.forMeetings(&contactStage::recall);
-    }
-
-    model_->tally().nContacts = own.size() + ranks_.nContacts();
-}
-
-
-void Foam::cghs::contactStage::recall
-(
-    contactList& now,
-    const contactList& before
-)
-{
-    // A parcel may touch several walls, all under one slot: the normals tell
-    // which is which
-    constexpr scalar sameNormal = 0.9;
-
-    const UList<contact>& old = before.contacts;
-    label from = 0;
-    label n = 0;
-
-    now.memories.clear();
-
-    for (const contact& c : now.contacts)
-    {
-        contactMemory memory;
-
-        while (from < old.size() && old[from].slot < c.slot)
-        {
-            ++from;
-        }
-
-        for (label k = from; k < old.size() && old[k].slot == c.slot; ++k)
-        {
-            if ((old[k].n & c.n) > sameNormal)
-            {
-                memory = before.memories[k];
-                break;
-            }
-        }
-
-        // A gap is only a contact if it bore load
-        if (c.overlap > 0 || memory.load > 0)
-        {
-            now.contacts[n++] = c;
-            now.memories.append(memory);
-        }
-    }
-
-    now.contacts.resize(n);
+    model_->tally().nContacts =
+        contacts_.now.contacts.size() + ranks_.nContacts();
 }
 
 
 void Foam::cghs::contactStage::noteIndices(const arena& parcels)
 {
-    if (model_->needsMemory())
+    if (remember_)
     {
         forAll(former_, i)
         {
@@ -262,10 +218,10 @@ void Foam::cghs::contactStage::relabel
     contactList kept;
     labelList start(nOwn + 1, Zero);
 
-    forAll(contacts_.contacts, i)
+    forAll(contacts_.now.contacts, i)
     {
-        contact c = contacts_.contacts[i];
-        contactMemory memory = contacts_.memories[i];
+        contact c = contacts_.now.contacts[i];
+        contactMemory memory = contacts_.now.memories[i];
         const bool atWall = c.b == formerWall;
 
         c.a = c.a < now.size() ? now[c.a] : -1;
@@ -302,13 +258,14 @@ void Foam::cghs::contactStage::relabel
     }
 
     // In the order of slots: walls first, then pairs
-    contacts_.clear();
+    contactList& relabelled = contacts_.now;
+    relabelled.clear();
 
     for (const label k : byBody)
     {
         if (kept.contacts[k].slot != -1)
         {
-            contacts_.append(kept.contacts[k], kept.memories[k]);
+            relabelled.append(kept.contacts[k], kept.memories[k]);
         }
     }
 
@@ -324,7 +281,7 @@ void Foam::cghs::contactStage::relabel
                 if (c.b == j && c.slot == -1)
                 {
                     c.slot = slot;
-                    contacts_.append(c, kept.memories[byBody[k]]);
+                    relabelled.append(c, kept.memories[byBody[k]]);
                 }
             }
             ++slot;
@@ -343,7 +300,7 @@ void Foam::cghs::contactStage::sweep
     const stepScales step{deltaT, magG_*deltaT, previousDeltaT_};
     bodies b(parcels.contactBodies());
 
-    model_->sweep(sweepi, contacts_, b, step);
+    model_->sweep(sweepi, contacts_.now, b, step);
 
     ranks_.sweep
     (
@@ -415,5 +372,5 @@ std::size_t Foam::cghs::contactStage::bytes() const
 {
     return
         search_.bytes() + walls_.bytes()
-      + contacts_.bytes() + previous_.bytes();
+      + contacts_.bytes();
 }

@@ -238,8 +238,7 @@ void Foam::cghs::rankContacts::schedule
         m.rank = mine[i].second();
         m.resolver = me < m.rank;
         m.guests.clear();
-        m.contacts.clear();
-        m.previous.clear();
+        m.log.clear();
     }
 }
 
@@ -430,11 +429,11 @@ Foam::label Foam::cghs::rankContacts::bodyOf(const label guest) const
 }
 
 
-Foam::cghs::contactList& Foam::cghs::rankContacts::listFor
+Foam::cghs::contactLog& Foam::cghs::rankContacts::logFor
 (
     const label guest,
     const label nOwn,
-    contactList& own
+    contactLog& own
 )
 {
     const label body = bodyOf(guest);
@@ -442,7 +441,7 @@ Foam::cghs::contactList& Foam::cghs::rankContacts::listFor
     return
         body < nOwn
       ? own
-      : meetings_[meetingOfGuest_[body - nOwn]].contacts;
+      : meetings_[meetingOfGuest_[body - nOwn]].log;
 }
 
 
@@ -450,11 +449,7 @@ void Foam::cghs::rankContacts::clearContacts(const bool keep)
 {
     for (meeting& m : meetings_)
     {
-        if (keep)
-        {
-            m.previous.swap(m.contacts);
-        }
-        m.contacts.clear();
+        m.log.turnOver(keep);
     }
 }
 
@@ -474,7 +469,7 @@ Foam::label Foam::cghs::rankContacts::nContacts() const
     label n = 0;
     for (const meeting& m : meetings_)
     {
-        n += m.contacts.contacts.size();
+        n += m.log.now.contacts.size();
     }
     return n;
 }

@@ -18,6 +18,10 @@ namespace Foam
 namespace cghs
 {
 
+//- Nearness of two points, or of a point and a plane, in radii
+constexpr scalar nearness = 1e-6;
+
+
 //- Is a face as flat as rounding can tell, and convex, so that any of its
 //  corners sees all of it?
 static bool planar
@@ -52,6 +56,26 @@ static bool planar
 
 } // End namespace cghs
 } // End namespace Foam
+
+
+Foam::cghs::wallSurfaces::triangle::triangle
+(
+    const vector& a,
+    const vector& b,
+    const vector& c
+)
+:
+    a(a),
+    b(b),
+    c(c)
+{
+    const vector area((b - a) ^ (c - a));
+
+    normal = area/mag(area);
+    gradA = (area ^ (c - b))/magSqr(area);
+    gradB = (area ^ (a - c))/magSqr(area);
+    heights = {1/mag(gradA), 1/mag(gradB), 1/mag(gradA + gradB)};
+}
 
 
 Foam::pointField Foam::cghs::wallSurfaces::ownCorners
@@ -232,50 +256,75 @@ void Foam::cghs::wallSurfaces::layGrid(const scalar reach)
 
 // * * * * * * * * * * * * * * * * The contacts  * * * * * * * * * * * * * * //
 
-void Foam::cghs::wallSurfaces::appendContacts
+void Foam::cghs::wallSurfaces::appendNear
+(
+    const triangle& t,
+    const sphere& s,
+    const scalar reach,
+    DynamicList<near>& found
+)
+{
+    const scalar height = (t.a - s.x) & t.normal;
+
+    // Out of reach of the plane, or behind a baffle
+    if (height > reach || height < 0)
+    {
+        return;
+    }
+
+    const vector fromC(s.x - t.c);
+    const scalar u = t.gradA & fromC;
+    const scalar v = t.gradB & fromC;
+    const scalar w = 1 - u - v;
+
+    vector d(height*t.normal);
+    const bool interior = u >= 0 && v >= 0 && w >= 0;
+
+    if (!interior)
+    {
+        // Out of reach of a side
+        const scalar beside =
+            -min(min(u*t.heights[0], v*t.heights[1]), w*t.heights[2]);
+
+        if (sqr(beside) + sqr(height) > sqr(reach))
+        {
+            return;
+        }
+
+        d = closestPoint(t.a, t.b, t.c, s.x).point - s.x;
+
+        if (magSqr(d) >= sqr(reach))
+        {
+            return;
+        }
+    }
+
+    const scalar least = nearness*s.r;
+    found.append
+    (
+        near{magSqr(d) < sqr(least) ? least*t.normal : d, interior}
+    );
+}
+
+
+void Foam::cghs::wallSurfaces::findContacts
 (
     const label i,
     const sphere& s,
     const label wallBody,
     const scalar margin,
+    DynamicList<near>& found,
     DynamicList<contact>& contacts
 ) const
 {
-    // Nearness of two points, or of a point and a plane, in radii
-    constexpr scalar tolerance = 1e-6;
-
     const scalar reach = s.r*(1 + 2*margin);
 
-    struct near
-    {
-        vector d;
-        bool interior;
-    };
-
-    DynamicList<near, 16> found;
+    found.clear();
+    contacts.clear();
 
     for (label k = start_[i]; k < start_[i + 1]; ++k)
     {
-        const triangle& t = triangles_[candidates_[k]];
-        const scalar height = (t.a - s.x) & t.normal;
-
-        // Out of reach of the plane, or behind a baffle
-        if (height > reach || height < 0)
-        {
-            continue;
-        }
-
-        const nearestOnTriangle p = closestPoint(t.a, t.b, t.c, s.x);
-        const vector d(p.point - s.x);
-
-        if (magSqr(d) < sqr(reach))
-        {
-            const bool centred = mag(d) < tolerance*s.r;
-            found.append
-            (
-                near{centred ? tolerance*s.r*t.normal : d, p.interior}
-            );
-        }
+        appendNear(triangles_[candidates_[k]], s, reach, found);
     }
 
     std::sort
@@ -291,16 +340,14 @@ void Foam::cghs::wallSurfaces::appendContacts
         }
     );
 
-    const label first = contacts.size();
-
     for (const near& f : found)
     {
         bool hidden = false;
 
-        for (label k = first; k < contacts.size() && !hidden; ++k)
+        for (const contact& c : contacts)
         {
-            const contact& c = contacts[k];
-            hidden = (f.d & c.n) > s.r - c.overlap - tolerance*s.r;
+            hidden =
+                hidden || (f.d & c.n) > s.r - c.overlap - nearness*s.r;
         }
 
         if (!hidden)
@@ -309,24 +356,6 @@ void Foam::cghs::wallSurfaces::appendContacts
             (
                 makeContact(i, wallBody, contact::parcelWall, i, f.d, s.r)
             );
-        }
-    }
-}
-
-
-void Foam::cghs::wallSurfaces::touch
-(
-    const UList<sphere>& spheres,
-    const label wallBody,
-    const scalar margin,
-    DynamicList<contact>& contacts
-) const
-{
-    for (label i = 0; i < start_.size() - 1; ++i)
-    {
-        if (start_[i] != start_[i + 1])
-        {
-            appendContacts(i, spheres[i], wallBody, margin, contacts);
         }
     }
 }
@@ -446,8 +475,7 @@ Foam::cghs::wallSurfaces::wallSurfaces
 
             if (box.overlaps(boundBox(min(min(a, b), c), max(max(a, b), c))))
             {
-                const vector area((b - a) ^ (c - a));
-                kept.append(triangle{a, b, c, area/mag(area)});
+                kept.append(triangle(a, b, c));
             }
         }
     }

@@ -91,11 +91,11 @@ Foam::cghs::contact Foam::cghs::column::contactBelow(const label i) const
 
     return makeContact
     (
-        below,
         i,
+        below,
         i == 0 ? contact::parcelWall : contact::parcelParcel,
         i,
-        s[i].x - s[below].x,
+        s[below].x - s[i].x,
         s[i].r + s[below].r
     );
 }

@@ -186,9 +186,9 @@ Foam::cghs::twoBodies Foam::cghs::randomWall(sampler& random)
     const scalar distance = randomDistance(random, r, r);
     const scalar vWall = rarely(random) ? v : 0;
 
-    // Either may come first
-    const label parcel = random.below(2);
-    const label wall = 1 - parcel;
+    // The wall is always the second
+    const label parcel = 0;
+    const label wall = 1;
 
     twoBodies pair;
     pair.spheres[parcel] = sphere(x, r);

@@ -78,7 +78,7 @@ void Foam::cghs::hardSphere::sweep
 {
     if (sweepi < nImpactSweeps() - 1)
     {
-        correction_->begin(list, b, step);
+        correction_->begin(list, b, coeffs_, step);
     }
     else if (sweepi < nImpactSweeps())
     {

@@ -179,7 +179,7 @@ Foam::vector Foam::cghs::softSphere::tangentialImpulse
 }
 
 
-void Foam::cghs::softSphere::findForce
+Foam::vector Foam::cghs::softSphere::findForce
 (
     const contact& c,
     contactMemory& memory,
@@ -200,7 +200,7 @@ void Foam::cghs::softSphere::findForce
         deltaT
        *max(scalar(0), stiffness_*c.overlap - eta*partingSpeed(c, b));
 
-    memory.tangential =
+    return
         k.mu > 0
       ? tangentialImpulse(c, memory, b, eta, k.mu, deltaT)
       : vector(Zero);
@@ -217,9 +217,11 @@ void Foam::cghs::softSphere::sweep
 {
     if (sweepi == 0)
     {
+        list.impulses.resize(list.contacts.size());
         forAll(list.contacts, i)
         {
-            findForce(list.contacts[i], list.memories[i], b, step.deltaT);
+            list.impulses[i] =
+                findForce(list.contacts[i], list.memories[i], b, step.deltaT);
         }
         return;
     }
@@ -227,13 +229,13 @@ void Foam::cghs::softSphere::sweep
     forAll(list.contacts, i)
     {
         const contact& c = list.contacts[i];
-        const contactMemory& memory = list.memories[i];
+        const vector& rub = list.impulses[i];
 
-        push(c, b, memory.load*c.n + memory.tangential);
+        push(c, b, list.memories[i].load*c.n + rub);
 
         if (b.spinning())
         {
-            turn(c, b, leverOf(c, b), memory.tangential);
+            turn(c, b, leverOf(c, b), rub);
         }
     }
 }

@@ -5,8 +5,10 @@
 
 #include "accumulatedImpulse.H"
 #include "checkedEntry.H"
-#include "interleave.H"
+#include "impulseKernels.H"
 #include "addToRunTimeSelectionTable.H"
+
+#include <numeric>
 
 namespace Foam
 {
@@ -21,60 +23,40 @@ namespace cghs
     constexpr scalar growth = 1.2;
 
 
-    //- Bring the parting speed to zero, if the load can. Returns the work [J]
-    static inline scalar press
-    (
-        const contact& c,
-        contactMemory& memory,
-        bodies& b,
-        const scalar me,
-        const scalar rDeltaT
-    )
+    static scalar sum(const scalar (&s)[laneCount])
     {
-        // A gap may close in the step
-        const scalar vn = partingSpeed(c, b);
-        const scalar target = min(c.overlap, scalar(0))*rDeltaT;
-        const scalar change = max(me*(target - vn), -memory.load);
-
-        if (change == 0)
-        {
-            return 0;
-        }
-
-        push(c, b, change*c.n);
-        memory.load += change;
-
-        return change*(vn + 0.5*change/me);
+        return std::accumulate(s, s + laneCount, scalar(0));
     }
 
 
-    //- Bring the slip to zero, if friction can
-    static inline void hold
-    (
-        const contact& c,
-        contactMemory& memory,
-        bodies& b,
-        const scalar mu,
-        const scalar me
-    )
+    CGHS_FOR_EACH_PROCESSOR
+    static void run(warmStart<true>& kernel)
     {
-        const scalar lever = leverOf(c, b);
-        const scalar mt = me/(1 + sqr(lever)/inertiaFactor);
+        kernel.list.lanes.sweep(false, kernel);
+    }
 
-        vector rubbing(memory.rubbing - mt*slipVelocity(c, b, lever));
+    CGHS_FOR_EACH_PROCESSOR
+    static void run(warmStart<false>& kernel)
+    {
+        kernel.list.lanes.sweep(false, kernel);
+    }
 
-        const scalar limit = mu*memory.load;
-        const scalar size = mag(rubbing);
+    CGHS_FOR_EACH_PROCESSOR
+    static void run(pressAndHold<true>& kernel, const bool backwards)
+    {
+        kernel.list.lanes.sweep(backwards, kernel);
+    }
 
-        if (size > limit)
-        {
-            rubbing *= limit/size;
-        }
+    CGHS_FOR_EACH_PROCESSOR
+    static void run(pressAndHold<false>& kernel, const bool backwards)
+    {
+        kernel.list.lanes.sweep(backwards, kernel);
+    }
 
-        const vector change(rubbing - memory.rubbing);
-        push(c, b, change);
-        turn(c, b, lever, change);
-        memory.rubbing = rubbing;
+    CGHS_FOR_EACH_PROCESSOR
+    static void run(separate& kernel)
+    {
+        kernel.list.lanes.sweep(false, kernel);
     }
 }
 }
@@ -89,49 +71,64 @@ Foam::cghs::accumulatedImpulse::accumulatedImpulse(const dictionary& dict)
 {}
 
 
+void Foam::cghs::accumulatedImpulse::remember(contactList& list) const
+{
+    forAll(list.blocks, k)
+    {
+        const memoryBlock& block = list.blocks[k];
+
+        for (label l = 0; l < list.lanes[k].size; ++l)
+        {
+            contactMemory& memory = list.memories[list.lanes.contactOf(k, l)];
+
+            memory.load = block.load[l];
+            memory.rubbing = vector
+            (
+                block.rubbing[0][l],
+                block.rubbing[1][l],
+                block.rubbing[2][l]
+            );
+        }
+    }
+}
+
+
 void Foam::cghs::accumulatedImpulse::begin
 (
     contactList& list,
     bodies& b,
+    const impactTable& coeffs,
     const stepScales& step
 ) const
 {
-    // A force that lasts passes on an impulse in proportion to the step
-    const scalar longer =
+    list.lanes.resize(list.contacts.size());
+    list.blocks.resize(list.lanes.size());
+
+    b.spinning()
+  ? start<true>(list, b, coeffs, step)
+  : start<false>(list, b, coeffs, step);
+}
+
+
+template<bool spinning>
+void Foam::cghs::accumulatedImpulse::start
+(
+    contactList& list,
+    bodies& b,
+    const impactTable& coeffs,
+    const stepScales& step
+) const
+{
+    warmStart<spinning> kernel(list, b, coeffs);
+
+    kernel.longer =
         step.previousDeltaT > 0 ? step.deltaT/step.previousDeltaT : 1;
 
-    forAll(list.contacts, i)
-    {
-        const contact& c = list.contacts[i];
-        contactMemory& memory = list.memories[i];
+    kernel.growth = growth;
+    kernel.speed = step.speed;
+    kernel.overlapAllowed = overlapAllowed_;
 
-        if (memory.load > 0)
-        {
-            memory.load *= longer;
-            memory.held *= longer;
-            memory.rubbing *= longer;
-
-            const scalar trusted =
-                growth*memory.held + effectiveMass(c, b)*step.speed;
-
-            if (memory.load > trusted)
-            {
-                memory.rubbing *= trusted/memory.load;
-                memory.load = trusted;
-            }
-
-            // The plane of the contact has turned a little since
-            memory.rubbing -= (memory.rubbing & c.n)*c.n;
-
-            push(c, b, memory.load*c.n + memory.rubbing);
-
-            if (b.spinning())
-            {
-                turn(c, b, leverOf(c, b), memory.rubbing);
-            }
-        }
-        memory.held = memory.load;
-    }
+    run(kernel);
 }
 
 
@@ -139,65 +136,21 @@ Foam::scalar Foam::cghs::accumulatedImpulse::sweepVelocities
 (
     contactList& list,
     bodies& b,
-    const impactTable& coeffs,
     const scalar rDeltaT,
+    const bool rubs,
     const bool backwards
 ) const
 {
-    scalar work = 0;
-
-    interleave(list.contacts.size(), backwards, [&](const label i)
+    if (rubs)
     {
-        const contact& c = list.contacts[i];
-        contactMemory& memory = list.memories[i];
-        const scalar me = effectiveMass(c, b);
-        const scalar mu = coeffs[c.surface].mu;
-
-        work += press(c, memory, b, me, rDeltaT);
-
-        if (mu > 0 && (memory.load > 0 || magSqr(memory.rubbing) > 0))
-        {
-            hold(c, memory, b, mu, me);
-        }
-    });
-
-    return work;
-}
-
-
-void Foam::cghs::accumulatedImpulse::sweepPositions
-(
-    const UList<contact>& contacts,
-    bodies& b,
-    const scalar deltaT
-) const
-{
-    for (const contact& c : contacts)
-    {
-        const scalar ra = b.spheres[c.a].r;
-        const scalar rb = b.spheres[c.b].r;
-        const scalar smaller = 2*(rb > 0 ? min(ra, rb) : ra);
-
-        // What is left after the shifts so far, and after the bodies have
-        // parted by themselves
-        const scalar overlap =
-            c.overlap
-          - ((b.shifts[c.b] - b.shifts[c.a]) & c.n)
-          - max(partingSpeed(c, b), scalar(0))*deltaT;
-
-        const scalar excess = overlap - overlapAllowed_*smaller;
-
-        if (excess > 0)
-        {
-            const vector s
-            (
-                (overlapShare_*excess*effectiveMass(c, b))*c.n
-            );
-
-            b.shifts[c.a] -= b.motions[c.a].invMass*s;
-            b.shifts[c.b] += b.motions[c.b].invMass*s;
-        }
+        pressAndHold<true> kernel(list, b, rDeltaT);
+        run(kernel, backwards);
+        return sum(kernel.work);
     }
+
+    pressAndHold<false> kernel(list, b, rDeltaT);
+    run(kernel, backwards);
+    return sum(kernel.work);
 }
 
 
@@ -206,15 +159,25 @@ Foam::scalar Foam::cghs::accumulatedImpulse::sweep
     const label sweepi,
     contactList& list,
     bodies& b,
-    const impactTable& coeffs,
+    const impactTable&,
     const stepScales& step
 ) const
 {
     if (sweepi < nSweeps_)
     {
-        return sweepVelocities(list, b, coeffs, 1/step.deltaT, sweepi % 2);
+        return sweepVelocities
+        (
+            list,
+            b,
+            1/step.deltaT,
+            b.spinning() && rubsIn(sweepi),
+            sweepi % 2
+        );
     }
 
-    sweepPositions(list.contacts, b, step.deltaT);
+    remember(list);
+
+    separate kernel(list, b, overlapShare_, step.deltaT);
+    run(kernel);
     return 0;
 }

@@ -8,7 +8,6 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "contact.H"
-#include "interleave.H"
 #include "claim.H"
 #include "sampler.H"
 #include "labelList.H"
@@ -61,35 +60,6 @@ TEST_CASE("Coincident spheres have a normal all the same", "[contact]")
 
     normal.settle();
     depth.settle();
-}
-
-
-TEST_CASE("A sweep visits each contact once, there and back", "[contact]")
-{
-    claim once("contact.sweepVisitsEachOnce", 0);
-    claim mirrored("contact.sweepBackIsMirrored", 0);
-
-    for (label n = 0; n < 40; ++n)
-    {
-        labelList there(n, Zero), order;
-        interleave(n, false, [&](const label i)
-        {
-            ++there[i];
-            order.append(i);
-        });
-
-        label k = 0;
-        interleave(n, true, [&](const label i)
-        {
-            mirrored.count(i == n - 1 - order[k++]);
-        });
-
-        once.count(there == labelList(n, 1));
-        mirrored.count(k == n);
-    }
-
-    once.settle();
-    mirrored.settle();
 }
 
 } // End namespace cghs
