@@ -65,7 +65,7 @@ void Foam::cghs::contactStage::rebuild(arena& parcels)
     const scalar skin = skinShare_*2*maxRadius;
     const scalar reach = 2*maxRadius + skin;
 
-    parcels.reorder(search_.order(parcels.spheres, parcels.ids, reach));
+    parcels.reorder(search_.order(parcels.spheres, parcels.ids, skin));
     ranks_.invite(parcels, reach);
     search_.build(parcels.spheres, parcels.size(), skin);
     walls_.find(parcels.spheres, parcels.size(), skin);
