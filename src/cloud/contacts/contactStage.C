@@ -26,6 +26,7 @@ Foam::cghs::contactStage::contactStage
     search_(layerAxis(g)),
     travelled_(GREAT),
     allowed_(0),
+    resized_(false),
     previousDeltaT_(0),
     wallBody_(0),
     nBuilds_(0),
@@ -49,6 +50,32 @@ Foam::direction Foam::cghs::contactStage::layerAxis(const vector& g)
 }
 
 
+Foam::scalar Foam::cghs::contactStage::meanRadius
+(
+    const arena& parcels,
+    const scalar largest
+)
+{
+    // A sum of whole numbers is exact: it depends on no order
+    constexpr scalar unit = 1024;
+
+    // Nobody counts as smaller than that, so that dust does not shrink the skin
+    constexpr scalar smallest = 0.01;
+
+    scalar sum = 0;
+    for (label i = 0; i < parcels.size(); ++i)
+    {
+        sum +=
+            floor(unit*largest/max(parcels.spheres[i].r, smallest*largest));
+    }
+
+    const scalar n = returnReduce(parcels.size(), sumOp<label>());
+    reduce(sum, sumOp<scalar>());
+
+    return n > 0 ? largest*(n*unit/sum) : 0;
+}
+
+
 void Foam::cghs::contactStage::rebuild(arena& parcels)
 {
     addProfiling(list, "cghs::contactList");
@@ -62,11 +89,10 @@ void Foam::cghs::contactStage::rebuild(arena& parcels)
     }
     reduce(maxRadius, maxOp<scalar>());
 
-    const scalar skin = skinShare_*2*maxRadius;
-    const scalar reach = 2*maxRadius + skin;
+    const scalar skin = skinShare_*2*meanRadius(parcels, maxRadius);
 
     parcels.reorder(search_.order(parcels.spheres, parcels.ids, skin));
-    ranks_.invite(parcels, reach);
+    ranks_.invite(parcels, maxRadius, skin);
     search_.build(parcels.spheres, parcels.size(), skin);
     walls_.find(parcels.spheres, parcels.size(), skin);
 
@@ -78,8 +104,9 @@ void Foam::cghs::contactStage::rebuild(arena& parcels)
         relabel(parcels, formerWall);
     }
 
-    // Two parcels that run at each other use up the skin together
+    // Two parcels that run or grow at each other use up the skin together
     travelled_ = 0;
+    resized_ = false;
     allowed_ = 0.5*skin;
     ++nBuilds_;
 }
@@ -367,8 +394,13 @@ void Foam::cghs::contactStage::impacts(arena& parcels, const scalar deltaT)
 
     if (ranks_.active())
     {
+        if (resized_)
+        {
+            ranks_.refreshSizes(parcels);
+        }
         ranks_.refreshPositions(parcels);
     }
+    resized_ = false;
 
     parcels.clearShifts();
     findContacts(parcels);
