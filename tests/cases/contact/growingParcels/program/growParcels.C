@@ -10,7 +10,7 @@ Description
     changes sizes lets them. In each step the contacts that the contact stage
     has found are held against asking each of each.
 
-    The mesh is a box from the origin, periodic in x and y, with walls in z.
+    The mesh is a box from the origin with walls or periodic sides.
 
 \*---------------------------------------------------------------------------*/
 
@@ -56,7 +56,7 @@ static void scatter(const polyMesh& mesh, arena& parcels)
         {
             const label i = parcels.append(1);
             parcels.spheres[i].x = x;
-            parcels.motions[i].v = 0.2*v;
+            parcels.motions[i].v = 0.02*v;
             parcels.cells[i] = celli;
             parcels.ids[i] = id;
 
@@ -106,23 +106,35 @@ static List<sphere> all(const arena& parcels)
 }
 
 
-//- How many contacts there are, each asked of each
-static label nContacts(const List<sphere>& spheres, const vector& span)
+//- How many contacts there are in a box that ends at span, each asked of each
+static label nContacts
+(
+    const List<sphere>& spheres,
+    const vector& span,
+    const bool periodic
+)
 {
     label n = 0;
 
     forAll(spheres, i)
     {
         const sphere& s = spheres[i];
-        n += (s.x.z() < s.r) + (s.x.z() > span.z() - s.r);
+
+        for (direction d = 0; d < 3 && !periodic; ++d)
+        {
+            n += (s.x[d] < s.r) + (s.x[d] > span[d] - s.r);
+        }
 
         for (label j = i + 1; j < spheres.size(); ++j)
         {
-            vector d(spheres[j].x - s.x);
-            d.x() -= span.x()*std::round(d.x()/span.x());
-            d.y() -= span.y()*std::round(d.y()/span.y());
+            vector apart(spheres[j].x - s.x);
 
-            n += magSqr(d) < sqr(s.r + spheres[j].r);
+            for (direction d = 0; d < 3 && periodic; ++d)
+            {
+                apart[d] -= span[d]*std::round(apart[d]/span[d]);
+            }
+
+            n += magSqr(apart) < sqr(s.r + spheres[j].r);
         }
     }
 
@@ -130,7 +142,7 @@ static label nContacts(const List<sphere>& spheres, const vector& span)
 }
 
 
-//- The momentum of all parcels along the walls [kg m/s]
+//- The momentum of all parcels [kg m/s]
 static vector momentum(const arena& parcels)
 {
     vector sum(Zero);
@@ -138,7 +150,6 @@ static vector momentum(const arena& parcels)
     {
         sum += parcels.motions[i].mass()*parcels.motions[i].v;
     }
-    sum.z() = 0;
     return returnReduce(sum, sumOp<vector>());
 }
 
@@ -155,7 +166,7 @@ int main(int argc, char *argv[])
     #include "createTime.H"
     #include "createPolyMesh.H"
 
-    const dictionary boundary(IStringStream("zMin rebound; zMax rebound;")());
+    const dictionary boundary(IStringStream("\".*\" rebound;")());
     const dictionary models
     (
         IStringStream
@@ -181,6 +192,8 @@ int main(int argc, char *argv[])
         returnReduce(mesh.bounds().max(), maxOp<vector>())
     );
 
+    const List<vector> periods(transport::periods(mesh));
+
     arena parcels(false, false);
     scatter(mesh, parcels);
 
@@ -191,7 +204,7 @@ int main(int argc, char *argv[])
         0.5,
         mesh,
         motion.wallPatches(),
-        transport::periods(mesh),
+        periods,
         vector(0, 0, -9.81)
     );
 
@@ -219,7 +232,7 @@ int main(int argc, char *argv[])
         const label found =
             returnReduce(contacts.tally().nContacts, sumOp<label>());
 
-        nWrong += mag(found - nContacts(spheres, span));
+        nWrong += mag(found - nContacts(spheres, span, periods.size()));
         nFound += found;
 
         contacts.moved(motion.move(parcels, deltaT).maxDistance);
