@@ -34,6 +34,21 @@ void Foam::cghs::arena::add(column& c)
 }
 
 
+void Foam::cghs::arena::setSize
+(
+    const label i,
+    const scalar d,
+    const scalar W,
+    const scalar rho
+)
+{
+    diameters[i] = d;
+    weights[i] = W;
+    spheres[i].r = 0.5*d*cbrt(W);
+    motions[i].invMass = 1/(rho*volume(i));
+}
+
+
 Foam::scalar Foam::cghs::arena::volume(const label i) const
 {
     return 4.0/3.0*constant::mathematical::pi*pow3(spheres[i].r);

@@ -196,7 +196,7 @@ void Foam::cghs::cghsCloud::solidsStep
     contacts_.correct(parcels_, deltaT);
 
     state_ = transport_.move(parcels_, deltaT);
-    contacts_.moved(state_.maxDistance);
+    contacts_.moved(state_.maxDistance, deltaT);
 }
 
 

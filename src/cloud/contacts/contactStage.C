@@ -21,13 +21,16 @@ Foam::cghs::contactStage::contactStage
     magG_(mag(g)),
     margin_(model_->margin()),
     remember_(model_->needsMemory()),
+    anticipate_(model_->anticipates()),
     skinShare_(skinShare),
     walls_(mesh, wallPatches),
     ranks_(periods),
     search_(layerAxis(g)),
     travelled_(GREAT),
     allowed_(0),
+    resized_(false),
     previousDeltaT_(0),
+    maxSpeed_(0),
     wallBody_(0),
     nBuilds_(0),
     maxOverlap_(0)
@@ -50,6 +53,32 @@ Foam::direction Foam::cghs::contactStage::layerAxis(const vector& g)
 }
 
 
+Foam::scalar Foam::cghs::contactStage::meanRadius
+(
+    const arena& parcels,
+    const scalar largest
+)
+{
+    // A sum of whole numbers is exact: it depends on no order
+    constexpr scalar unit = 1024;
+
+    // Nobody counts as smaller than that, so that dust does not shrink the skin
+    constexpr scalar smallest = 0.01;
+
+    scalar sum = 0;
+    for (label i = 0; i < parcels.size(); ++i)
+    {
+        sum +=
+            floor(unit*largest/max(parcels.spheres[i].r, smallest*largest));
+    }
+
+    const scalar n = returnReduce(parcels.size(), sumOp<label>());
+    reduce(sum, sumOp<scalar>());
+
+    return n > 0 ? largest*(n*unit/sum) : 0;
+}
+
+
 void Foam::cghs::contactStage::rebuild(arena& parcels)
 {
     addProfiling(list, "cghs::contactList");
@@ -63,11 +92,10 @@ void Foam::cghs::contactStage::rebuild(arena& parcels)
     }
     reduce(maxRadius, maxOp<scalar>());
 
-    const scalar skin = skinShare_*2*maxRadius;
-    const scalar reach = 2*maxRadius + skin;
+    const scalar skin = skinShare_*2*meanRadius(parcels, maxRadius);
 
-    parcels.reorder(search_.order(parcels.spheres, parcels.ids, reach));
-    ranks_.invite(parcels, reach);
+    parcels.reorder(search_.order(parcels.spheres, parcels.ids, skin));
+    ranks_.invite(parcels, maxRadius, skin);
     search_.build(parcels.spheres, parcels.size(), skin);
     walls_.find(parcels.spheres, parcels.size(), skin);
 
@@ -79,20 +107,54 @@ void Foam::cghs::contactStage::rebuild(arena& parcels)
         relabel(parcels, formerWall);
     }
 
-    // Two parcels that run at each other use up the skin together
+    // Two parcels that run or grow at each other use up the skin together
     travelled_ = 0;
+    resized_ = false;
     allowed_ = 0.5*skin;
     ++nBuilds_;
 }
 
 
-inline void Foam::cghs::contactStage::appendIfTouching
+inline Foam::scalar Foam::cghs::contactStage::overlapSoon
+(
+    const contact& c,
+    const arena& parcels,
+    const scalar deltaT
+)
+{
+    const vector& va = parcels.motions[c.a].v;
+    const vector& vb = parcels.motions[c.b].v;
+
+    return c.overlap - 0.5*deltaT*((vb - va) & c.n);
+}
+
+
+inline void Foam::cghs::contactStage::appendIfMeeting
+(
+    const contact& c,
+    const arena& parcels,
+    const scalar deltaT,
+    contactLog& log
+)
+{
+    log.append
+    (
+        c,
+        c.overlap > 0
+     || (anticipate_ && overlapSoon(c, parcels, deltaT) > 0),
+        remember_
+    );
+}
+
+
+inline void Foam::cghs::contactStage::appendIfNear
 (
     const arena& parcels,
     const label i,
     const label j,
     const label bodyOfJ,
     const label slot,
+    const scalar deltaT,
     contactLog& log
 )
 {
@@ -102,8 +164,9 @@ inline void Foam::cghs::contactStage::appendIfTouching
     const vector d(b.x - a.x);
     const scalar sumOfRadii = a.r + b.r;
     const scalar smaller = min(a.r, b.r);
+    const scalar gap = max(2*margin_*smaller, horizon(deltaT));
 
-    if (magSqr(d) < sqr(sumOfRadii + 2*margin_*smaller))
+    if (magSqr(d) < sqr(sumOfRadii + gap))
     {
         const contact c
         (
@@ -117,12 +180,16 @@ inline void Foam::cghs::contactStage::appendIfTouching
         {
             maxOverlap_ = 0.5*c.overlap/smaller;
         }
-        log.append(c, remember_);
+        appendIfMeeting(c, parcels, deltaT, log);
     }
 }
 
 
-void Foam::cghs::contactStage::findContacts(arena& parcels)
+void Foam::cghs::contactStage::findContacts
+(
+    arena& parcels,
+    const scalar deltaT
+)
 {
     contacts_.turnOver(remember_);
     ranks_.clearContacts(remember_);
@@ -133,11 +200,12 @@ void Foam::cghs::contactStage::findContacts(arena& parcels)
         parcels.spheres,
         wallBody_,
         margin_,
+        horizon(deltaT),
         [&](const contact& c)
         {
             maxOverlap_ =
                 max(maxOverlap_, 0.5*c.overlap/parcels.spheres[c.a].r);
-            contacts_.append(c, remember_);
+            appendIfMeeting(c, parcels, deltaT, contacts_);
         }
     );
 
@@ -147,7 +215,7 @@ void Foam::cghs::contactStage::findContacts(arena& parcels)
     (
         [&](const label i, const label j)
         {
-            appendIfTouching(parcels, i, j, j, slot++, contacts_);
+            appendIfNear(parcels, i, j, j, slot++, deltaT, contacts_);
         }
     );
 
@@ -155,13 +223,14 @@ void Foam::cghs::contactStage::findContacts(arena& parcels)
     {
         const label guest = pair.second();
 
-        appendIfTouching
+        appendIfNear
         (
             parcels,
             pair.first(),
             guest,
             ranks_.bodyOf(guest),
             slot++,
+            deltaT,
             ranks_.logFor(guest, parcels.size(), contacts_)
         );
     }
@@ -324,11 +393,16 @@ void Foam::cghs::contactStage::impacts(arena& parcels, const scalar deltaT)
 
     if (ranks_.active())
     {
+        if (resized_)
+        {
+            ranks_.refreshSizes(parcels);
+        }
         ranks_.refreshPositions(parcels);
     }
+    resized_ = false;
 
     parcels.clearShifts();
-    findContacts(parcels);
+    findContacts(parcels, deltaT);
 
     for (label sweepi = 0; sweepi < model_->nImpactSweeps(); ++sweepi)
     {

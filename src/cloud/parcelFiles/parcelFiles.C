@@ -6,7 +6,6 @@
 #include "parcelFiles.H"
 #include "passiveParticleCloud.H"
 #include "IOField.H"
-#include "mathematicalConstants.H"
 
 namespace Foam
 {
@@ -204,19 +203,15 @@ void Foam::cghs::readParcels
     label i = 0;
     for (const passiveParticle& p : files)
     {
-        const scalar radius = 0.5*d[i]*cbrt(weight[i]);
-        const scalar volume =
-            4.0/3.0*constant::mathematical::pi*pow3(radius);
+        parcels.setSize(i, d[i], weight[i], rho[i]);
 
         if (exact)
         {
-            checkPlace(files, i, x[i], p.cell(), 2*radius);
+            checkPlace(files, i, x[i], p.cell(), 2*parcels.spheres[i].r);
         }
 
-        parcels.spheres[i] = sphere(exact ? x[i] : p.position(), radius);
-        parcels.motions[i] = motion(v[i], 1/(rho[i]*volume));
-        parcels.weights[i] = weight[i];
-        parcels.diameters[i] = d[i];
+        parcels.spheres[i].x = exact ? x[i] : p.position();
+        parcels.motions[i].v = v[i];
         parcels.cells[i] = p.cell();
         parcels.ids[i] = p.origId();
 

@@ -275,12 +275,15 @@ void Foam::cghs::rankContacts::borrow
         }
         else
         {
-            const boundBox near(widened(boxes[m.rank], reach));
             DynamicList<label> lent;
 
             for (label i = 0; i < nOwn; ++i)
             {
                 const vector& x = parcels.spheres[i].x;
+                const boundBox near
+                (
+                    widened(boxes[m.rank], parcels.spheres[i].r + reach)
+                );
                 bool wanted = near.contains(x);
 
                 for (const vector& s : shifts)
@@ -319,8 +322,6 @@ void Foam::cghs::rankContacts::addImages
         return;
     }
 
-    const boundBox near(widened(box, reach));
-
     // A pair of own parcels would be met from both its sides: half of the
     // shifts will do. A borrowed guest is seen from this side only
     const List<vector> ownShifts(shiftsOf(periods_, true));
@@ -328,9 +329,12 @@ void Foam::cghs::rankContacts::addImages
 
     forAll(parcels.spheres, i)
     {
+        const sphere& body = parcels.spheres[i];
+        const boundBox near(widened(box, body.r + reach));
+
         for (const vector& s : i < parcels.size() ? ownShifts : guestShifts)
         {
-            if (near.contains(parcels.spheres[i].x + s))
+            if (near.contains(body.x + s))
             {
                 images_.append(image{i, s});
             }
@@ -367,7 +371,12 @@ bool Foam::cghs::rankContacts::active() const
 }
 
 
-void Foam::cghs::rankContacts::invite(arena& parcels, const scalar reach)
+void Foam::cghs::rankContacts::invite
+(
+    arena& parcels,
+    const scalar largest,
+    const scalar skin
+)
 {
     parcels.dismissGuests();
     meetingOfGuest_.clear();
@@ -382,11 +391,11 @@ void Foam::cghs::rankContacts::invite(arena& parcels, const scalar reach)
         Pstream::gatherList(boxes);
         Pstream::scatterList(boxes);
 
-        schedule(boxes, reach);
-        borrow(parcels, boxes, reach);
+        schedule(boxes, 2*largest + skin);
+        borrow(parcels, boxes, largest + skin);
     }
 
-    addImages(parcels, box, reach);
+    addImages(parcels, box, largest + skin);
 }
 
 
@@ -420,6 +429,36 @@ void Foam::cghs::rankContacts::refreshPositions(arena& parcels)
     }
 
     placeImages(parcels);
+}
+
+
+void Foam::cghs::rankContacts::refreshSizes(arena& parcels)
+{
+    for (const meeting& m : meetings_)
+    {
+        if (m.resolver)
+        {
+            receive(m.rank, 2*m.guests.size());
+
+            const scalar* size = buffer_.cdata();
+            for (const label g : m.guests)
+            {
+                parcels.spheres[g].r = size[0];
+                parcels.motions[g].invMass = size[1];
+                size += 2;
+            }
+        }
+        else
+        {
+            buffer_.clear();
+            for (const label i : m.guests)
+            {
+                buffer_.append(parcels.spheres[i].r);
+                buffer_.append(parcels.motions[i].invMass);
+            }
+            send(m.rank);
+        }
+    }
 }
 
 

@@ -312,13 +312,11 @@ void Foam::cghs::wallSurfaces::findContacts
     const label i,
     const sphere& s,
     const label wallBody,
-    const scalar margin,
+    const scalar reach,
     DynamicList<near>& found,
     DynamicList<contact>& contacts
 ) const
 {
-    const scalar reach = s.r*(1 + 2*margin);
-
     found.clear();
     contacts.clear();
 

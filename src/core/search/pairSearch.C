@@ -4,152 +4,234 @@
 \*---------------------------------------------------------------------------*/
 
 #include "pairSearch.H"
+#include "UIndirectList.H"
 #include "ListOps.H"
 
 #include <algorithm>
+#include <cmath>
 
-// * * * * * * * * * * * * * * * * The grid  * * * * * * * * * * * * * * * * //
-
-Foam::scalar Foam::cghs::pairSearch::nCells(const vector& span) const
+namespace Foam
 {
-    scalar n = 1;
+namespace cghs
+{
 
-    for (direction d = 0; d < 3; ++d)
-    {
-        n *= floor(span[d]/width_) + 1;
-    }
-
-    return n;
+//- May two spheres meet before they have moved and grown by the skin?
+static inline bool near(const sphere& s, const sphere& t, const scalar skin)
+{
+    return magSqr(t.x - s.x) < sqr(s.r + t.r + skin);
 }
 
+} // End namespace cghs
+} // End namespace Foam
 
-void Foam::cghs::pairSearch::bulkOf
+// * * * * * * * * * * * * * * * * The sizes * * * * * * * * * * * * * * * * //
+
+Foam::cghs::pairSearch::level::level(const direction layerAxis)
+:
+    grid(layerAxis),
+    largest(0)
+{}
+
+
+void Foam::cghs::pairSearch::level::sort
 (
-    const UList<sphere>& own,
-    vector& low,
-    vector& high
-)
-{
-    // So many in a hundred, at each end of each direction, are not the bulk
-    constexpr label strays = 1;
-
-    const label cut = strays*own.size()/100;
-    List<scalar> x(own.size());
-
-    for (direction d = 0; d < 3; ++d)
-    {
-        forAll(own, i)
-        {
-            x[i] = own[i].x[d];
-        }
-
-        std::nth_element(x.begin(), x.begin() + cut, x.end());
-        low[d] = x[cut];
-
-        const label top = x.size() - 1 - cut;
-        std::nth_element(x.begin(), x.begin() + top, x.end());
-        high[d] = x[top];
-    }
-}
-
-
-void Foam::cghs::pairSearch::layGrid
-(
-    const UList<sphere>& own,
-    const scalar reach
-)
-{
-    vector low(GREAT, GREAT, GREAT);
-    vector high(-GREAT, -GREAT, -GREAT);
-
-    for (const sphere& s : own)
-    {
-        low = min(low, s.x);
-        high = max(high, s.x);
-    }
-
-    if (own.empty())
-    {
-        low = high = Zero;
-    }
-
-    const scalar maxCells = 4.0*own.size() + 64;
-    width_ = max(reach, VSMALL);
-
-    // A few strays far from the rest would make a grid of empty cells: they
-    // are counted to the outermost cells instead
-    if (nCells(high - low) > maxCells)
-    {
-        bulkOf(own, low, high);
-    }
-
-    // What is sparse all over gets wider cells
-    while (nCells(high - low) > maxCells)
-    {
-        width_ *= 1.3;
-    }
-
-    origin_ = low;
-    const vector span(high - low);
-
-    for (direction d = 0; d < 3; ++d)
-    {
-        n_[d] = label(span[d]/width_) + 1;
-    }
-}
-
-
-inline Foam::label Foam::cghs::pairSearch::gridCell
-(
-    const vector& x,
-    const direction d
-) const
-{
-    const scalar cell = (x[d] - origin_[d])/width_;
-
-    return cell < 0 ? 0 : cell < n_[d] ? label(cell) : n_[d] - 1;
-}
-
-
-inline Foam::label Foam::cghs::pairSearch::row
-(
-    const label i1,
-    const label i2
-) const
-{
-    return (i2*n_[axes_[1]] + i1)*n_[axes_[0]];
-}
-
-
-inline Foam::label Foam::cghs::pairSearch::gridIndex(const vector& x) const
-{
-    return
-        row(gridCell(x, axes_[1]), gridCell(x, axes_[2]))
-      + gridCell(x, axes_[0]);
-}
-
-// * * * * * * * * * * * * * * * * The pairs * * * * * * * * * * * * * * * * //
-
-inline void Foam::cghs::pairSearch::appendPartners
-(
-    const UList<sphere>& spheres,
-    const sphere& s,
-    const label from,
-    const label to,
+    const UList<sphere>& all,
     const scalar skin
 )
 {
-    for (label j = from; j < to; ++j)
-    {
-        const sphere& t = spheres[j];
+    const List<sphere> unsorted(UIndirectList<sphere>(all, members));
+    const labelList order(grid.sort(unsorted, 2*largest + skin));
 
-        if (magSqr(t.x - s.x) < sqr(s.r + t.r + skin))
+    spheres = UIndirectList<sphere>(unsorted, order);
+    members = labelList(UIndirectList<label>(members, order));
+}
+
+
+Foam::label Foam::cghs::pairSearch::sizeClass(const scalar radius) const
+{
+    const scalar largest = largestOf_[0];
+    const label last = largestOf_.size() - 1;
+
+    return
+        radius > std::ldexp(largest, -last)
+      ? std::ilogb(largest/radius)
+      : last;
+}
+
+
+Foam::scalar Foam::cghs::pairSearch::classify(const UList<sphere>& own)
+{
+    // Whatever is smaller than the largest by more halvings is one class
+    constexpr label maxClasses = 20;
+
+    scalar smallest = GREAT;
+    scalar largest = 0;
+
+    for (const sphere& s : own)
+    {
+        smallest = min(smallest, s.r);
+        largest = max(largest, s.r);
+    }
+
+    if (largest <= 2*smallest)
+    {
+        largestOf_ = List<scalar>(1, largest);
+        return largest;
+    }
+
+    largestOf_ = List<scalar>(maxClasses, Zero);
+    largestOf_[0] = largest;
+    labelList count(maxClasses, Zero);
+
+    for (const sphere& s : own)
+    {
+        const label c = sizeClass(s.r);
+        largestOf_[c] = max(largestOf_[c], s.r);
+        ++count[c];
+    }
+
+    return largestOf_[findMax(count)];
+}
+
+
+void Foam::cghs::pairSearch::fillLevels
+(
+    const UList<sphere>& spheres,
+    const label nOwn,
+    const scalar skin
+)
+{
+    levels_.clear();
+
+    if (largestOf_.size() == 1)
+    {
+        return;
+    }
+
+    List<DynamicList<label>> members(largestOf_.size());
+
+    for (label i = 0; i < nOwn; ++i)
+    {
+        members[sizeClass(spheres[i].r)].append(i);
+    }
+
+    forAll(members, c)
+    {
+        if (members[c].size())
         {
-            partners_.append(j);
+            level* l = new level(layerAxis_);
+            levels_.append(l);
+
+            l->largest = largestOf_[c];
+            l->members.transfer(members[c]);
+            l->sort(spheres, skin);
         }
     }
 }
 
+// * * * * * * * * * * * * * * * * The walks * * * * * * * * * * * * * * * * //
+
+template<class Visitor>
+void Foam::cghs::pairSearch::forLevelRanges
+(
+    const scalar skin,
+    const Visitor& visit
+) const
+{
+    // All of one level look in the grid of another
+    const auto look = [&](const level& a, const level& b)
+    {
+        forAll(a.spheres, p)
+        {
+            const sphere& s = a.spheres[p];
+
+            b.grid.forWithin
+            (
+                s.x,
+                s.r + b.largest + skin,
+                [&](const label from, const label to)
+                {
+                    visit(a, p, b, from, to);
+                }
+            );
+        }
+    };
+
+    const auto nRows = [&](const level& a, const level& b)
+    {
+        return
+            a.spheres.size()*b.grid.nRows(a.largest + b.largest + skin);
+    };
+
+    forAll(levels_, li)
+    {
+        const level& a = levels_[li];
+
+        forAll(a.spheres, p)
+        {
+            a.grid.forLater
+            (
+                a.spheres[p].x,
+                p,
+                [&](const label from, const label to)
+                {
+                    visit(a, p, a, from, to);
+                }
+            );
+        }
+
+        for (label lj = li + 1; lj < levels_.size(); ++lj)
+        {
+            const level& b = levels_[lj];
+
+            nRows(a, b) < nRows(b, a) ? look(a, b) : look(b, a);
+        }
+    }
+}
+
+
+template<class Visitor>
+void Foam::cghs::pairSearch::forGuestRanges
+(
+    const UList<sphere>& spheres,
+    const label nOwn,
+    const scalar skin,
+    const Visitor& visit
+) const
+{
+    for (label g = nOwn; g < spheres.size(); ++g)
+    {
+        const sphere& s = spheres[g];
+
+        if (levels_.empty())
+        {
+            grid_.forWithin
+            (
+                s.x,
+                s.r + largestOf_[0] + skin,
+                [&](const label from, const label to)
+                {
+                    visit(g, spheres, labelUList(), from, to);
+                }
+            );
+        }
+
+        for (const level& b : levels_)
+        {
+            b.grid.forWithin
+            (
+                s.x,
+                s.r + b.largest + skin,
+                [&](const label from, const label to)
+                {
+                    visit(g, b.spheres, b.members, from, to);
+                }
+            );
+        }
+    }
+}
+
+// * * * * * * * * * * * * * * * * The pairs * * * * * * * * * * * * * * * * //
 
 void Foam::cghs::pairSearch::findOwnPairs
 (
@@ -158,49 +240,95 @@ void Foam::cghs::pairSearch::findOwnPairs
     const scalar skin
 )
 {
-    const label nRow = n_[axes_[0]];
-    const label n1 = n_[axes_[1]];
-    const label n2 = n_[axes_[2]];
-
     for (label i = 0; i < nOwn; ++i)
     {
         start_[i] = partners_.size();
 
         const sphere& s = spheres[i];
-        const label i0 = gridCell(s.x, axes_[0]);
-        const label i1 = gridCell(s.x, axes_[1]);
-        const label i2 = gridCell(s.x, axes_[2]);
-        const label lo = max(i0 - 1, 0);
-        const label hi = min(i0 + 1, nRow - 1);
 
-        // The rest of its own row, then each row that comes later in memory:
-        // so every pair is met once
-        appendPartners
-        (
-            spheres, s, i + 1, cellStart_[row(i1, i2) + hi + 1], skin
-        );
-
-        for (label k2 = i2; k2 <= min(i2 + 1, n2 - 1); ++k2)
+        grid_.forLater(s.x, i, [&](const label from, const label to)
         {
-            const label first = k2 == i2 ? i1 + 1 : max(i1 - 1, 0);
-
-            for (label k1 = first; k1 <= min(i1 + 1, n1 - 1); ++k1)
+            for (label j = from; j < to; ++j)
             {
-                const label start = row(k1, k2);
-
-                appendPartners
-                (
-                    spheres,
-                    s,
-                    cellStart_[start + lo],
-                    cellStart_[start + hi + 1],
-                    skin
-                );
+                if (near(s, spheres[j], skin))
+                {
+                    partners_.append(j);
+                }
             }
-        }
+        });
     }
 
     start_[nOwn] = partners_.size();
+}
+
+
+void Foam::cghs::pairSearch::findLevelPairs
+(
+    const label nOwn,
+    const scalar skin
+)
+{
+    found_.clear();
+
+    forLevelRanges
+    (
+        skin,
+        [&]
+        (
+            const level& a,
+            const label p,
+            const level& b,
+            const label from,
+            const label to
+        )
+        {
+            const label i = a.members[p];
+
+            for (label k = from; k < to; ++k)
+            {
+                if (near(a.spheres[p], b.spheres[k], skin))
+                {
+                    const label j = b.members[k];
+                    found_.append(labelPair(min(i, j), max(i, j)));
+                }
+            }
+        }
+    );
+
+    listFound(nOwn);
+}
+
+
+void Foam::cghs::pairSearch::listFound(const label nOwn)
+{
+    start_ = 0;
+
+    for (const labelPair& pair : found_)
+    {
+        ++start_[pair.first() + 1];
+    }
+
+    for (label i = 0; i < nOwn; ++i)
+    {
+        start_[i + 1] += start_[i];
+    }
+
+    partners_.resize(found_.size());
+    labelList next(SubList<label>(start_, nOwn));
+
+    for (const labelPair& pair : found_)
+    {
+        partners_[next[pair.first()]++] = pair.second();
+    }
+
+    for (label i = 0; i < nOwn; ++i)
+    {
+        std::sort
+        (
+            partners_.begin() + start_[i],
+            partners_.begin() + start_[i + 1]
+        );
+    }
 }
 
 
@@ -211,59 +339,39 @@ void Foam::cghs::pairSearch::findGuestPairs
     const scalar skin
 )
 {
-    for (label g = nOwn; g < spheres.size(); ++g)
-    {
-        const sphere& s = spheres[g];
-        const vector reach(vector::uniform(width_));
-        const vector from(s.x - reach);
-        const vector to(s.x + reach);
-
-        const label lo = gridCell(from, axes_[0]);
-        const label hi = gridCell(to, axes_[0]);
-
-        for
+    forGuestRanges
+    (
+        spheres,
+        nOwn,
+        skin,
+        [&]
         (
-            label k2 = gridCell(from, axes_[2]);
-            k2 <= gridCell(to, axes_[2]);
-            ++k2
+            const label g,
+            const UList<sphere>& hosts,
+            const labelUList& members,
+            const label from,
+            const label to
         )
         {
-            for
-            (
-                label k1 = gridCell(from, axes_[1]);
-                k1 <= gridCell(to, axes_[1]);
-                ++k1
-            )
+            for (label k = from; k < to; ++k)
             {
-                const label start = row(k1, k2);
-
-                for
-                (
-                    label i = cellStart_[start + lo];
-                    i < cellStart_[start + hi + 1];
-                    ++i
-                )
+                if (near(spheres[g], hosts[k], skin))
                 {
-                    const sphere& t = spheres[i];
-
-                    if (magSqr(t.x - s.x) < sqr(s.r + t.r + skin))
-                    {
-                        guestPairs_.append(labelPair(i, g));
-                    }
+                    const label i = members.empty() ? k : members[k];
+                    guestPairs_.append(labelPair(i, g));
                 }
             }
         }
-    }
+    );
 }
 
 // * * * * * * * * * * * * * * * * * Public  * * * * * * * * * * * * * * * * //
 
 Foam::cghs::pairSearch::pairSearch(const direction layerAxis)
 :
-    axes_((layerAxis + 1) % 3, (layerAxis + 2) % 3, layerAxis),
-    origin_(Zero),
-    width_(1),
-    n_(1, 1, 1),
+    layerAxis_(layerAxis),
+    grid_(layerAxis),
+    largestOf_(1, Zero),
     start_(1, Zero)
 {}
 
@@ -272,46 +380,20 @@ Foam::labelList Foam::cghs::pairSearch::order
 (
     const UList<sphere>& own,
     const UList<label>& ids,
-    const scalar reach
+    const scalar skin
 )
 {
-    const label nOwn = own.size();
+    labelList order(grid_.sort(own, 2*classify(own) + skin));
 
-    layGrid(own, reach);
-
-    // Counting sort by grid cell
-    labelList cells(nOwn);
-    cellStart_.resize(n_.x()*n_.y()*n_.z() + 1);
-    cellStart_ = 0;
-
-    forAll(own, i)
-    {
-        cells[i] = gridIndex(own[i].x);
-        ++cellStart_[cells[i] + 1];
-    }
-
-    for (label c = 1; c < cellStart_.size(); ++c)
-    {
-        cellStart_[c] += cellStart_[c - 1];
-    }
-
-    labelList next(SubList<label>(cellStart_, cellStart_.size() - 1));
-    labelList order(nOwn);
-
-    forAll(own, i)
-    {
-        order[next[cells[i]]++] = i;
-    }
-
-    for (label c = 0; c < cellStart_.size() - 1; ++c)
+    grid_.forCells([&](const label from, const label to)
     {
         std::sort
         (
-            order.begin() + cellStart_[c],
-            order.begin() + cellStart_[c + 1],
+            order.begin() + from,
+            order.begin() + to,
             [&](const label a, const label b) { return ids[a] < ids[b]; }
         );
-    }
+    });
 
     return order;
 }
@@ -328,17 +410,91 @@ void Foam::cghs::pairSearch::build
     guestPairs_.clear();
     start_.resize(nOwn + 1);
 
-    findOwnPairs(spheres, nOwn, skin);
+    fillLevels(spheres, nOwn, skin);
+
+    if (levels_.empty())
+    {
+        findOwnPairs(spheres, nOwn, skin);
+    }
+    else
+    {
+        findLevelPairs(nOwn, skin);
+    }
+
     findGuestPairs(spheres, nOwn, skin);
+}
+
+
+Foam::label Foam::cghs::pairSearch::nChecks
+(
+    const UList<sphere>& spheres,
+    const label nOwn,
+    const scalar skin
+) const
+{
+    label n = 0;
+
+    if (levels_.empty())
+    {
+        for (label i = 0; i < nOwn; ++i)
+        {
+            grid_.forLater
+            (
+                spheres[i].x,
+                i,
+                [&](const label from, const label to) { n += to - from; }
+            );
+        }
+    }
+
+    forLevelRanges
+    (
+        skin,
+        [&]
+        (
+            const level&, label, const level&, const label from, const label to
+        )
+        {
+            n += to - from;
+        }
+    );
+
+    forGuestRanges
+    (
+        spheres,
+        nOwn,
+        skin,
+        [&]
+        (
+            label,
+            const UList<sphere>&,
+            const labelUList&,
+            const label from,
+            const label to
+        )
+        {
+            n += to - from;
+        }
+    );
+
+    return n;
 }
 
 
 std::size_t Foam::cghs::pairSearch::bytes() const
 {
-    return
-        sizeof(label)*
-        (
-            cellStart_.size() + start_.size() + partners_.capacity()
-          + 2*guestPairs_.capacity()
+    std::size_t n =
+        grid_.bytes()
+      + sizeof(label)
+       *(
+            start_.size() + partners_.capacity()
+          + 2*(found_.capacity() + guestPairs_.capacity())
         );
+
+    for (const level& l : levels_)
+    {
+        n += l.grid.bytes() + l.spheres.byteSize() + l.members.byteSize();
+    }
+
+    return n;
 }

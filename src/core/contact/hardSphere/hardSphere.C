@@ -90,7 +90,7 @@ void Foam::cghs::hardSphere::sweep
             if (list.memories.empty() || list.memories[i].held == 0)
             {
                 const contact& c = list.contacts[i];
-                collide(c, b, coeffs_[c.surface], restingSpeed);
+                collide(c, b, coeffs_[c.surface], step.deltaT, restingSpeed);
             }
         }
     }

@@ -55,7 +55,7 @@ Foam::scalar Foam::cghs::velocityCorrection::sweep
         // guess wrong: a gain of zero is cheaper
         const scalar gain =
             vn < 0
-          ? min(overlapShare_*room - velocityShare_*vn, room - vn)
+          ? max(min(overlapShare_*room - velocityShare_*vn, room - vn), scalar(0))
           : 0;
 
         const scalar J = effectiveMass(c, b)*gain;

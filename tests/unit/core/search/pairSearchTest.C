@@ -78,7 +78,7 @@ scene sorted(pairSearch& search, const scene& s)
 {
     const SubList<sphere> own(s.spheres, s.nOwn);
     const SubList<label> ids(s.ids, s.nOwn);
-    return reordered(s, search.order(own, ids, reachOf(s)));
+    return reordered(s, search.order(own, ids, s.skin));
 }
 
 
@@ -271,6 +271,185 @@ TEST_CASE("Spheres on a lattice touch across the cells of the grid", "[search]")
 }
 
 
+TEST_CASE("Few large among many small ones, and the other way", "[search]")
+{
+    sampler random(84);
+    const vector box(0.04, 0.03, 0.05);
+
+    for (const scalar ratio : {10, 30})
+    {
+        static const char* const names[2][3] =
+        {
+            {"search.fewLarge10", "search.manyLarge10", "search.even10"},
+            {"search.fewLarge30", "search.manyLarge30", "search.even30"}
+        };
+        const label nLarge[3] = {5, 1000, 200};
+        const label nSmall[3] = {3000, 10, 200};
+
+        for (label k = 0; k < 3; ++k)
+        {
+            List<sphere> spheres(scattered(nSmall[k], origin, box, 1, random));
+            for (const sphere& s : scattered(nLarge[k], origin, box, 1, random))
+            {
+                spheres.append(sphere(s.x, ratio*s.r));
+            }
+
+            // Guests are the last ones: large
+            scene s(sceneOf(spheres, nLarge[k]/3, random));
+            s.skin = 1e-3;
+            settleScene(names[ratio > 10][k], s, 100);
+        }
+    }
+}
+
+
+TEST_CASE("Clusters of any sizes are no different", "[search]")
+{
+    sampler random(85);
+
+    for (const scalar ratio : {10, 30, 3000})
+    {
+        static const char* const names[3] =
+            {"search.clusters10", "search.clusters30", "search.clusters3000"};
+
+        List<sphere> spheres;
+        for (label cluster = 0; cluster < 12; ++cluster)
+        {
+            const vector centre(random.inBox(origin, vector::uniform(3)));
+            const vector size
+            (
+                vector::uniform(random.acrossDecades(0.003, 0.3))
+            );
+            spheres.append
+            (
+                scattered(100, centre - size, centre + size, ratio, random)
+            );
+        }
+
+        // Strays, as far off as parcels ever are
+        spheres.append
+        (
+            scattered
+            (
+                20,
+                vector::uniform(-1e4),
+                vector::uniform(1e4),
+                ratio,
+                random
+            )
+        );
+
+        const label n = spheres.size();
+        const List<sphere> twins(spheres);
+        spheres.append(twins);
+        for (label i = n; i < 2*n; ++i)
+        {
+            spheres[i].x += 3e-3*random.direction();
+        }
+
+        settleScene
+        (
+            names[ratio > 1000 ? 2 : ratio > 10],
+            sceneOf(spheres, n/2, random),
+            1000
+        );
+    }
+}
+
+
+namespace
+{
+
+//- Spheres of radius 1e-3 among larger ones that take up as much room, at
+//  random in a box that they fill to about 0.6
+List<sphere> mixture(const label nSmall, const scalar ratio, sampler& random)
+{
+    const label nLarge = nSmall/pow3(ratio);
+    const scalar volume = 4.19e-9*(nSmall + nLarge*pow3(ratio));
+    const vector box(vector::uniform(cbrt(volume/0.6)));
+
+    List<sphere> spheres;
+    for (const sphere& s : scattered(nLarge, origin, box, 1, random))
+    {
+        spheres.append(sphere(s.x, ratio*s.r));
+    }
+
+    // Small ones keep out of large ones, as they do where they collide
+    while (spheres.size() < nLarge + nSmall)
+    {
+        const sphere s(random.inBox(origin, box), 1e-3);
+        bool free = true;
+        for (label i = 0; i < nLarge && free; ++i)
+        {
+            free = magSqr(spheres[i].x - s.x) > sqr(spheres[i].r);
+        }
+        if (free)
+        {
+            spheres.append(s);
+        }
+    }
+    return spheres;
+}
+
+
+//- Distances that a search measures for each sphere
+scalar checksPerSphere(const List<sphere>& spheres, sampler& random)
+{
+    scene s(sceneOf(spheres, 0, random));
+    s.skin = 4e-4;
+    pairSearch search(1);
+    s = sorted(search, s);
+    search.build(s.spheres, s.nOwn, s.skin);
+    return scalar(search.nChecks(s.spheres, s.nOwn, s.skin))/s.nOwn;
+}
+
+}
+
+
+TEST_CASE("What a search costs does not grow with the ratio of sizes",
+    "[search]")
+{
+    sampler random(86);
+    const scalar equal = checksPerSphere(mixture(30000, 1, random), random);
+
+    static const char* const names[3] =
+        {"search.checks3to1", "search.checks10to1", "search.checks30to1"};
+    const scalar ratios[3] = {3, 10, 30};
+
+    for (label k = 0; k < 3; ++k)
+    {
+        // The small ones fill what the large ones leave, less densely than
+        // equal ones: no more is to be checked
+        settle
+        (
+            names[k],
+            checksPerSphere(mixture(30000, ratios[k], random), random)/equal,
+            1
+        );
+    }
+
+    // A broad distribution, all sizes in equal volumes
+    List<sphere> spheres;
+    for (label octave = 0; octave < 5; ++octave)
+    {
+        const scalar r = 1e-3*(1 << octave);
+        for (const sphere& s : scattered
+        (
+            40000 >> 3*octave, origin, vector::uniform(0.11), 1, random
+        ))
+        {
+            spheres.append(sphere(s.x, r*random.between(1, 2)));
+        }
+    }
+    settle
+    (
+        "search.checksBroad",
+        checksPerSphere(spheres, random)/equal,
+        3
+    );
+}
+
+
 TEST_CASE("Few spheres are no different", "[search]")
 {
     sampler random(74);
@@ -457,27 +636,32 @@ TEST_CASE("Own pairs are visited by rising first sphere", "[search]")
     claim rising("search.visitsRise", 0);
     sampler random(80);
     pairSearch search(1);
-    const scene s
-    (
-        sorted
-        (
-            search,
-            sceneOf
-            (
-                scattered(500, origin, vector::uniform(0.02), 1, random),
-                0,
-                random
-            )
-        )
-    );
-    search.build(s.spheres, s.nOwn, s.skin);
 
-    label last = 0;
-    search.forOwnPairs([&](const label i, const label j)
+    for (const scalar ratio : {1, 10})
     {
-        rising.count(i >= last && j != i);
-        last = i;
-    });
+        const scene s
+        (
+            sorted
+            (
+                search,
+                sceneOf
+                (
+                    scattered(500, origin, vector::uniform(0.02), ratio, random),
+                    0,
+                    random
+                )
+            )
+        );
+        search.build(s.spheres, s.nOwn, s.skin);
+
+        label last = 0;
+        search.forOwnPairs([&](const label i, const label j)
+        {
+            rising.count(i >= last && j > i);
+            last = i;
+        });
+    }
+
     rising.settle();
 }
 
