@@ -397,7 +397,7 @@ void Foam::cghs::contactStage::impacts(arena& parcels, const scalar deltaT)
         {
             ranks_.refreshSizes(parcels);
         }
-        ranks_.refreshPositions(parcels);
+        ranks_.refreshPositions(parcels, anticipate_);
     }
     resized_ = false;
 

@@ -106,6 +106,14 @@ void Foam::cghs::rankContacts::receive(const label rank, const label n)
 }
 
 
+void Foam::cghs::rankContacts::append(const vector& v)
+{
+    buffer_.append(v.x());
+    buffer_.append(v.y());
+    buffer_.append(v.z());
+}
+
+
 void Foam::cghs::rankContacts::packMotions
 (
     const arena& parcels,
@@ -113,13 +121,6 @@ void Foam::cghs::rankContacts::packMotions
 )
 {
     buffer_.clear();
-
-    const auto append = [&](const vector& v)
-    {
-        buffer_.append(v.x());
-        buffer_.append(v.y());
-        buffer_.append(v.z());
-    };
 
     for (const label i : which)
     {
@@ -399,19 +400,29 @@ void Foam::cghs::rankContacts::invite
 }
 
 
-void Foam::cghs::rankContacts::refreshPositions(arena& parcels)
+void Foam::cghs::rankContacts::refreshPositions
+(
+    arena& parcels,
+    const bool velocities
+)
 {
+    const label n = velocities ? 6 : 3;
+
     for (const meeting& m : meetings_)
     {
         if (m.resolver)
         {
-            receive(m.rank, 3*m.guests.size());
+            receive(m.rank, n*m.guests.size());
 
-            const scalar* x = buffer_.cdata();
+            const scalar* from = buffer_.cdata();
             for (const label g : m.guests)
             {
-                parcels.spheres[g].x = vector(x[0], x[1], x[2]);
-                x += 3;
+                parcels.spheres[g].x = vector(from[0], from[1], from[2]);
+                if (velocities)
+                {
+                    parcels.motions[g].v = vector(from[3], from[4], from[5]);
+                }
+                from += n;
             }
         }
         else
@@ -419,9 +430,10 @@ void Foam::cghs::rankContacts::refreshPositions(arena& parcels)
             buffer_.clear();
             for (const label i : m.guests)
             {
-                for (direction d = 0; d < 3; ++d)
+                append(parcels.spheres[i].x);
+                if (velocities)
                 {
-                    buffer_.append(parcels.spheres[i].x[d]);
+                    append(parcels.motions[i].v);
                 }
             }
             send(m.rank);
