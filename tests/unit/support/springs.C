@@ -114,7 +114,7 @@ Foam::cghs::encounter Foam::cghs::meet
         met.rubbing = max
         (
             met.rubbing,
-            mag(memory.tangential)/max(s.mu*memory.load, VSMALL)
+            mag(pair.impulses[0])/max(s.mu*memory.load, VSMALL)
         );
 
         forAll(pair.spheres, i)

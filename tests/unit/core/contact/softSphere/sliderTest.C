@@ -70,7 +70,7 @@ public:
             pair_.motions[1].v = (sign*step/deltaT_)*aside_;
             sweepAll(*model_, pair_, deltaT_);
         }
-        return (pair_.memories[0].tangential & aside_)/deltaT_;
+        return (pair_.impulses[0] & aside_)/deltaT_;
     }
 };
 
@@ -189,7 +189,7 @@ TEST_CASE("No friction exceeds mu F_n, and none is lost below it", "[contact]")
             slides ? (s.mu*Fn/mag(trial))*trial : trial
         );
         sweepAll(*s.model(), pair, deltaT);
-        const vector F(pair.memories[0].tangential/deltaT);
+        const vector F(pair.impulses[0]/deltaT);
         const vector now(pair.memories[0].rubbing);
 
         limit.see(max(mag(F) - s.mu*Fn, scalar(0))/scale);
@@ -224,7 +224,7 @@ TEST_CASE("The spring across turns with its contact", "[contact]")
         plane.see(mag(memory.rubbing & n)/max(mag(memory.rubbing), VSMALL));
         plane.see
         (
-            mag(memory.tangential & n)/max(mag(memory.tangential), VSMALL)
+            mag(pair.impulses[0] & n)/max(mag(pair.impulses[0]), VSMALL)
         );
     }
 
