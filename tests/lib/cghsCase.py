@@ -63,7 +63,7 @@ def run(folder, *command):
     show the last lines and stop the test."""
     program = next(word for word in command if not word[0].isdigit()
                    and word not in ("mpirun", "-np"))
-    log = Path(folder) / f"log.{program}"
+    log = Path(folder) / f"log.{Path(program).name}"
     with open(log, "w") as output:
         status = subprocess.run(
             command, cwd=folder, stdin=subprocess.DEVNULL,

@@ -84,6 +84,15 @@ void Foam::cghs::twoBodies::setContact()
 }
 
 
+void Foam::cghs::twoBodies::separateToTouch()
+{
+    const scalar radii = spheres[0].r + spheres[1].r;
+
+    spheres[1].x = spheres[0].x + radii*touch().n;
+    contacts[0].overlap = 0;
+}
+
+
 void Foam::cghs::twoBodies::setContactVelocity(const vector& vc)
 {
     motions[0].v += contactVelocity() - vc;

@@ -35,17 +35,6 @@ scalar criticalFriction(const twoBodies& pair, const scalar en, const scalar et)
 }
 
 
-//- Without overlap, where the chapter's lever arms hold
-void separateToTouch(twoBodies& pair)
-{
-    contact& touch = pair.contacts[0];
-    const scalar radii = pair.spheres[0].r + pair.spheres[1].r;
-
-    pair.spheres[1].x = pair.spheres[0].x + radii*touch.n;
-    touch.overlap = 0;
-}
-
-
 //- Method, section 1: the chapter's Eqs 86-97 as mended, word for word
 twoBodies chapterImpact(const twoBodies& pair, const impactCoeffs& k)
 {
@@ -306,7 +295,8 @@ TEST_CASE("At touch the impact is the chapter's, as mended", "[contact]")
             return;
         }
 
-        separateToTouch(before);
+        // Where the chapter's lever arms hold
+        before.separateToTouch();
 
         if (before.normalSpeed() >= 0)
         {
