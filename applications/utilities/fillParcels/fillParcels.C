@@ -30,12 +30,28 @@ Usage
 
                 velocity        (0 0 0);            // [m/s]
                 velocitySpread  (0.05 0.05 0.05);   // uniform in +- this
+
+                // Optional: diameters of the real particles, by number
+                sizeDistribution
+                {
+                    type        RosinRammler;
+                    RosinRammlerDistribution
+                    {
+                        minValue    50e-6;          // [m]
+                        maxValue    100e-6;
+                        d           70e-6;
+                        n           3;
+                    }
+                }
             }
         }
 
-    Diameter, density and weight of the parcels are those of
-    constant/<cloud>Properties. More solids than a random packing holds, or
-    than fit between the walls, are a FatalIOError.
+    Density and weight of the parcels are those of constant/<cloud>Properties,
+    and so is the diameter where a region has no sizeDistribution, which may be
+    any of OpenFOAM's distributionModels. A mass or solidsFraction is met to
+    within half of the parcel drawn last. Regions may overlap: in all of them
+    the largest parcels are placed first. More solids than a random packing
+    holds, or than fit between the walls, are a FatalIOError.
 
 \*---------------------------------------------------------------------------*/
 
@@ -46,15 +62,55 @@ Usage
 #include "transport.H"
 #include "parcelFiles.H"
 #include "checkedEntry.H"
-#include "mathematicalConstants.H"
+#include "distributionModel.H"
+#include "fixedValue.H"
 #include "IOdictionary.H"
-#include "SortableList.H"
+#include "mathematicalConstants.H"
 
-using namespace Foam;
-using namespace Foam::cghs;
+#include <algorithm>
+
+namespace Foam
+{
+namespace cghs
+{
 
 //- No random packing of equal spheres is denser [-]
 constexpr scalar randomClosePacking = 0.64;
+
+
+//- What all parcels have in common
+struct constants
+{
+    const dictionary& dict;
+    const scalar density;
+    const scalar weight;
+
+    explicit constants(const dictionary& constantProperties)
+    :
+        dict(constantProperties),
+        density(positiveScalar(dict, "density")),
+        weight(scalarInRange(dict, "parcelWeight", 1, GREAT))
+    {}
+
+    scalar radius(const scalar diameter) const
+    {
+        return arena::radiusOf(diameter, weight);
+    }
+
+    scalar volume(const scalar diameter) const
+    {
+        return 4.0/3.0*constant::mathematical::pi*pow3(radius(diameter));
+    }
+};
+
+
+//- Parcels of a region that are of about one size, the largest first
+struct batch
+{
+    word region;
+    const dictionary* dict;
+    DynamicList<scalar> diameters;
+};
 
 
 //- Volume of the mesh in a box, by cell centres [m^3]
@@ -74,43 +130,235 @@ static scalar volumeOf(const polyMesh& mesh, const boundBox& box)
 }
 
 
-//- How many parcels a region asks for
-static label numberOf
+static boundBox boxOf(const dictionary& region)
+{
+    return boundBox(region.get<vector>("min"), region.get<vector>("max"));
+}
+
+
+//- Where the diameters of a region come from
+static autoPtr<distributionModel> sizesOf
 (
-    const dictionary& dict,
-    const scalar regionVolume,
-    const scalar parcelVolume,
-    const scalar density
+    const dictionary& region,
+    const constants& parcel,
+    Random& random
+)
+{
+    if (region.found("sizeDistribution"))
+    {
+        return
+            distributionModel::New(region.subDict("sizeDistribution"), random);
+    }
+
+    dictionary dict;
+    dict.add("value", positiveScalar(parcel.dict, "diameter"));
+    return autoPtr<distributionModel>
+    (
+        new distributionModels::fixedValue(dict, random)
+    );
+}
+
+
+//- Draw a diameter [m]
+static scalar drawOne(const dictionary& region, const distributionModel& sizes)
+{
+    const scalar d = sizes.sample();
+
+    if (!(d > 0))
+    {
+        FatalIOErrorInFunction(region)
+            << "The sizeDistribution gave a diameter of " << d
+            << " but diameters must be greater than zero" << nl
+            << "Raise its smallest value" << nl
+            << exit(FatalIOError);
+    }
+
+    return d;
+}
+
+
+//- Stop if a region asks for more than it can hold
+static void checkFraction
+(
+    const dictionary& region,
+    const scalar fraction,
+    const label nParcels = -1
+)
+{
+    if (fraction > randomClosePacking)
+    {
+        FatalIOErrorInFunction(region)
+            << "Region " << region.dictName() << " asks for ";
+        if (nParcels >= 0)
+        {
+            FatalIOError << nParcels << " parcels, ";
+        }
+        FatalIOError
+            << "a solids fraction of " << fraction << nl
+            << "A random packing holds at most " << randomClosePacking << nl
+            << "Ask for less or enlarge the region" << nl
+            << exit(FatalIOError);
+    }
+}
+
+
+//- Draw the diameters of the parcels that a region asks for
+static DynamicList<scalar> draw
+(
+    const dictionary& region,
+    const scalar room,
+    const constants& parcel,
+    const distributionModel& sizes
 )
 {
     const label nGiven =
-        dict.found("number") + dict.found("mass")
-      + dict.found("solidsFraction");
+        region.found("number") + region.found("mass")
+      + region.found("solidsFraction");
 
     if (nGiven != 1)
     {
-        FatalIOErrorInFunction(dict)
+        FatalIOErrorInFunction(region)
             << "Found " << nGiven << " of the entries number, mass and"
             << " solidsFraction; give one of them" << nl
             << exit(FatalIOError);
     }
 
-    if (dict.found("number"))
+    DynamicList<scalar> diameters;
+
+    if (region.found("number"))
     {
-        return labelFrom(dict, "number", 0);
+        const label n = labelFrom(region, "number", 0);
+
+        for (label i = 0; i < n; ++i)
+        {
+            diameters.append(drawOne(region, sizes));
+        }
+        return diameters;
     }
 
     const scalar solids =
-        dict.found("mass")
-      ? scalarInRange(dict, "mass", 0, GREAT)/density
-      : scalarInRange(dict, "solidsFraction", 0, 1)*regionVolume;
+        region.found("mass")
+      ? scalarInRange(region, "mass", 0, GREAT)/parcel.density
+      : scalarInRange(region, "solidsFraction", 0, 1)*room;
 
-    return label(solids/parcelVolume + 0.5);
+    checkFraction(region, solids/max(room, VSMALL));
+
+    scalar missing = solids;
+    while (missing > 0)
+    {
+        const scalar d = drawOne(region, sizes);
+
+        // The last one, if that comes nearer
+        if (parcel.volume(d) < 2*missing)
+        {
+            diameters.append(d);
+        }
+        missing -= parcel.volume(d);
+    }
+
+    return diameters;
 }
+
+
+//- Draw the parcels of a region and append them to the batches, by size
+static void plan
+(
+    const polyMesh& mesh,
+    const word& name,
+    const dictionary& region,
+    const constants& parcel,
+    Random& random,
+    DynamicList<batch>& batches
+)
+{
+    const scalar room = volumeOf(mesh, boxOf(region));
+    const autoPtr<distributionModel> sizes(sizesOf(region, parcel, random));
+    DynamicList<scalar> diameters(draw(region, room, parcel, sizes()));
+
+    std::sort(diameters.begin(), diameters.end(), std::greater<scalar>());
+
+    scalar solids = 0;
+    for (const scalar d : diameters)
+    {
+        if (batches.empty() || batches.last().dict != &region
+         || d < 0.5*batches.last().diameters[0])
+        {
+            batches.append(batch{name, &region, DynamicList<scalar>()});
+        }
+        batches.last().diameters.append(d);
+        solids += parcel.volume(d);
+    }
+
+    const scalar fraction = solids/max(room, VSMALL);
+
+    checkFraction(region, fraction, diameters.size());
+
+    Info<< "Region " << name << ": " << diameters.size() << " parcels, "
+        << solids*parcel.density << " kg, solids fraction " << fraction << endl;
+}
+
+
+//- Find places for a batch
+static void place
+(
+    const batch& b,
+    const constants& parcel,
+    packer& spheres
+)
+{
+    const label n = b.diameters.size();
+    scalarList radii(n);
+
+    forAll(radii, i)
+    {
+        radii[i] = parcel.radius(b.diameters[i]);
+    }
+
+    const label nPlaced = spheres.fill(boxOf(*b.dict), radii);
+
+    if (nPlaced < n)
+    {
+        FatalIOErrorInFunction(*b.dict)
+            << "Region " << b.region << " asks for " << n << " parcels of "
+            << 2*radii.last() << " to " << 2*radii.first() << " m" << nl
+            << "Between its walls and larger parcels it takes no more than "
+            << nPlaced << " of them" << nl
+            << "Ask for less or enlarge the region" << nl
+            << exit(FatalIOError);
+    }
+}
+
+
+//- Draw the velocities of a batch
+static void appendVelocities
+(
+    const batch& b,
+    Random& random,
+    DynamicList<vector>& velocities
+)
+{
+    const vector mean(b.dict->get<vector>("velocity"));
+    const vector spread(b.dict->getOrDefault<vector>("velocitySpread", Zero));
+
+    forAll(b.diameters, i)
+    {
+        const vector r(random.sample01<vector>());
+        velocities.append
+        (
+            mean + cmptMultiply(spread, 2*r - vector::uniform(1))
+        );
+    }
+}
+
+} // End namespace cghs
+} // End namespace Foam
 
 
 int main(int argc, char *argv[])
 {
+    using namespace Foam;
+    using namespace Foam::cghs;
+
     argList::addNote("Fills boxes of the mesh with parcels");
     argList::addOption("cloud", "name", "name of the cloud, default parcels");
     argList::noParallel();
@@ -142,21 +390,8 @@ int main(int argc, char *argv[])
         )
     );
 
-
-    // ---- The parcel -------------------------------------------------------
-
-    const dictionary& constants = properties.subDict("constantProperties");
-    const scalar diameter = positiveScalar(constants, "diameter");
-    const scalar density = positiveScalar(constants, "density");
-    const scalar weight = scalarInRange(constants, "parcelWeight", 1, GREAT);
-
-    const scalar radius = 0.5*diameter*Foam::cbrt(weight);
-    const scalar volume = 4.0/3.0*constant::mathematical::pi*pow3(radius);
-
-
-    // ---- Where they go ----------------------------------------------------
-
-    const transport boundary(mesh, properties.subDict("boundary"));
+    const constants parcel(properties.subDict("constantProperties"));
+    const cghs::transport boundary(mesh, properties.subDict("boundary"));
 
     packer spheres
     (
@@ -164,50 +399,38 @@ int main(int argc, char *argv[])
         boundary.wallPatches(),
         fillDict.get<label>("seed")
     );
-    DynamicList<vector> velocities;
+
+
+    // ---- Which parcels, and in which order --------------------------------
+
+    DynamicList<batch> batches;
 
     for (const entry& e : fillDict.subDict("regions"))
     {
-        const dictionary& dict = e.dict();
-        const boundBox box(dict.get<vector>("min"), dict.get<vector>("max"));
-        const scalar room = volumeOf(mesh, box);
-        const label n = numberOf(dict, room, volume, density);
-        const scalar fraction = n*volume/max(room, VSMALL);
+        plan(mesh, e.keyword(), e.dict(), parcel, spheres.random(), batches);
+    }
 
-        if
-        (
-            fraction > randomClosePacking
-         || !spheres.fill(box, radius, n)
-        )
+    std::stable_sort
+    (
+        batches.begin(),
+        batches.end(),
+        [](const batch& a, const batch& b)
         {
-            FatalIOErrorInFunction(dict)
-                << "Region " << e.keyword() << " asks for " << n
-                << " parcels of " << 2*radius
-                << " m, a solids fraction of " << fraction << nl
-                << "A random packing holds at most " << randomClosePacking
-                << ", and between its walls this region takes no more than "
-                << spheres.capacity(box, radius) << " parcels" << nl
-                << "Ask for less or enlarge the region" << nl
-                << exit(FatalIOError);
+            return a.diameters[0] > b.diameters[0];
         }
+    );
 
-        const vector velocity(dict.get<vector>("velocity"));
-        const vector spread
-        (
-            dict.getOrDefault<vector>("velocitySpread", Zero)
-        );
 
-        while (velocities.size() < spheres.spheres().size())
-        {
-            const vector r(spheres.random().sample01<vector>());
-            velocities.append
-            (
-                velocity + cmptMultiply(spread, 2*r - vector::uniform(1))
-            );
-        }
+    // ---- Where they go ----------------------------------------------------
 
-        Info<< "Region " << e.keyword() << ": " << n << " parcels, "
-            << n*volume*density << " kg, solids fraction " << fraction << endl;
+    DynamicList<scalar> diameters;
+    DynamicList<vector> velocities;
+
+    for (const batch& b : batches)
+    {
+        place(b, parcel, spheres);
+        appendVelocities(b, spheres.random(), velocities);
+        diameters.append(b.diameters);
     }
 
 
@@ -218,10 +441,9 @@ int main(int argc, char *argv[])
 
     forAll(velocities, i)
     {
-        parcels.spheres[i] = spheres.spheres()[i];
-        parcels.motions[i] = motion(velocities[i], 1/(density*volume));
-        parcels.weights[i] = weight;
-        parcels.diameters[i] = diameter;
+        parcels.setSize(i, diameters[i], parcel.weight, parcel.density);
+        parcels.spheres[i].x = spheres.spheres()[i].x;
+        parcels.motions[i].v = velocities[i];
         parcels.cells[i] = spheres.cells()[i];
         parcels.ids[i] = i;
     }

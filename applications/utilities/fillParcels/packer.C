@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "packer.H"
-#include "mathematicalConstants.H"
 
 Foam::cghs::packer::packer
 (
@@ -13,23 +12,75 @@ Foam::cghs::packer::packer
     const label seed
 )
 :
-    mesh_(mesh),
     locator_(mesh),
     walls_(mesh, wallPatches),
-    random_(seed),
-    width_(0)
+    random_(seed)
 {}
 
 
 Foam::cghs::packer::gridCell
-Foam::cghs::packer::cellAt(const vector& x) const
+Foam::cghs::packer::sizeGrid::cellAt(const vector& x) const
 {
     return gridCell
     ({
-        label(floor(x.x()/width_)),
-        label(floor(x.y()/width_)),
-        label(floor(x.z()/width_))
+        label(floor(x.x()/width)),
+        label(floor(x.y()/width)),
+        label(floor(x.z()/width))
     });
+}
+
+
+Foam::cghs::packer::sizeGrid& Foam::cghs::packer::gridFor(const scalar r)
+{
+    for (sizeGrid& grid : grids_)
+    {
+        if (2*r <= grid.width && grid.width < 4*r)
+        {
+            return grid;
+        }
+    }
+
+    grids_.append(new sizeGrid{2*r, {}});
+    return grids_.last();
+}
+
+
+bool Foam::cghs::packer::freeOfOthers(const sphere& s) const
+{
+    for (const sizeGrid& grid : grids_)
+    {
+        const vector reach(vector::uniform(s.r + 0.5*grid.width));
+        const gridCell from(grid.cellAt(s.x - reach));
+        const gridCell to(grid.cellAt(s.x + reach));
+
+        for (label i = from[0]; i <= to[0]; ++i)
+        {
+            for (label j = from[1]; j <= to[1]; ++j)
+            {
+                for (label k = from[2]; k <= to[2]; ++k)
+                {
+                    const auto near = grid.spheres.cfind(gridCell({i, j, k}));
+
+                    if (!near.found())
+                    {
+                        continue;
+                    }
+
+                    for (const label other : near())
+                    {
+                        const sphere& t = placed_[other];
+
+                        if (magSqr(t.x - s.x) < sqr(s.r + t.r))
+                        {
+                            return false;
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    return true;
 }
 
 
@@ -39,38 +90,9 @@ Foam::label Foam::cghs::packer::freeCell
     const boundBox& region
 )
 {
-    if (!region.contains(s.x))
+    if (!region.contains(s.x) || !freeOfOthers(s))
     {
         return -1;
-    }
-
-    const gridCell c(cellAt(s.x));
-
-    for (label i = -1; i <= 1; ++i)
-    {
-        for (label j = -1; j <= 1; ++j)
-        {
-            for (label k = -1; k <= 1; ++k)
-            {
-                const auto near =
-                    grid_.cfind(gridCell({c[0] + i, c[1] + j, c[2] + k}));
-
-                if (!near.found())
-                {
-                    continue;
-                }
-
-                for (const label other : near())
-                {
-                    const sphere& t = placed_[other];
-
-                    if (magSqr(t.x - s.x) < sqr(s.r + t.r))
-                    {
-                        return -1;
-                    }
-                }
-            }
-        }
     }
 
     const label celli = locator_.find(s.x);
@@ -81,7 +103,9 @@ Foam::label Foam::cghs::packer::freeCell
 
 void Foam::cghs::packer::place(const sphere& s, const label celli)
 {
-    grid_(cellAt(s.x)).append(placed_.size());
+    sizeGrid& grid = gridFor(s.r);
+
+    grid.spheres(grid.cellAt(s.x)).append(placed_.size());
     placed_.append(s);
     cells_.append(celli);
 }
@@ -91,20 +115,31 @@ void Foam::cghs::packer::forget(const label nKept)
 {
     placed_.resize(nKept);
     cells_.resize(nKept);
-    grid_.clear();
+    grids_.clear();
 
     forAll(placed_, i)
     {
-        grid_(cellAt(placed_[i].x)).append(i);
+        sizeGrid& grid = gridFor(placed_[i].r);
+        grid.spheres(grid.cellAt(placed_[i].x)).append(i);
     }
+}
+
+
+Foam::boundBox Foam::cghs::packer::centresIn
+(
+    const boundBox& region,
+    const scalar r
+)
+{
+    const vector margin(vector::uniform(r*(1 + 1e-9)));
+    return boundBox(region.min() + margin, region.max() - margin);
 }
 
 
 bool Foam::cghs::packer::addSequentially
 (
     const boundBox& region,
-    const scalar r,
-    const label n
+    const UList<scalar>& radii
 )
 {
     // Once so many draws in a row find no place, few places are left
@@ -112,10 +147,15 @@ bool Foam::cghs::packer::addSequentially
 
     label failures = 0;
 
-    for (label added = 0; added < n && failures < patience; )
+    for (label added = 0; added < radii.size() && failures < patience; )
     {
-        const sphere s(random_.position(region.min(), region.max()), r);
-        const label celli = freeCell(s, region);
+        const boundBox centres(centresIn(region, radii[added]));
+        const sphere s
+        (
+            random_.position(centres.min(), centres.max()),
+            radii[added]
+        );
+        const label celli = freeCell(s, centres);
 
         if (celli == -1)
         {
@@ -141,57 +181,77 @@ Foam::List<Foam::vector> Foam::cghs::packer::freeSites
 )
 {
     // Layers of triangles, each over the hollows of the one before
-    const scalar dy = a*sqrt(0.75);
-    const scalar dz = a*sqrt(2.0/3.0);
+    const vector step(a, a*sqrt(0.75), a*sqrt(2.0/3.0));
+    const vector hollow(0.5*a, step.y()/3, 0);
     const vector span(region.span());
 
     DynamicList<vector> sites;
+    vector last(Zero);
 
-    for (label k = 0; k*dz <= span.z(); ++k)
+    for (label k = 0; k*step.z() <= span.z(); ++k)
     {
-        for (label j = 0; j*dy <= span.y(); ++j)
+        for (label j = 0; j*step.y() <= span.y(); ++j)
         {
-            const scalar shift = 0.5*a*(j % 2) + 0.5*a*(k % 2);
-
-            for (label i = 0; i*a + shift <= span.x(); ++i)
+            for (label i = 0; i*step.x() <= span.x(); ++i)
             {
                 const vector x
                 (
-                    region.min()
-                  + vector
-                    (
-                        i*a + shift,
-                        j*dy + (k % 2)*dy/3,
-                        k*dz
-                    )
+                    i*step.x() + hollow.x()*((j + k) % 2),
+                    j*step.y() + hollow.y()*(k % 2),
+                    k*step.z()
                 );
 
-                if (freeCell(sphere(x, r), region) != -1)
+                if (x.x() <= span.x() && x.y() <= span.y())
                 {
                     sites.append(x);
+                    last = max(last, x);
                 }
             }
         }
     }
 
-    return List<vector>(std::move(sites));
+    // No gap at the far sides. A single layer goes to the middle
+    DynamicList<vector> free;
+
+    for (const vector& site : sites)
+    {
+        vector x(region.min());
+        for (direction d = 0; d < 3; ++d)
+        {
+            x[d] +=
+                last[d] > 0 ? site[d]*(span[d]/last[d]) : 0.5*span[d];
+        }
+
+        // Rounding must not put the last layer outside
+        x = min(x, region.max());
+
+        if (freeCell(sphere(x, r), region) != -1)
+        {
+            free.append(x);
+        }
+    }
+
+    return List<vector>(std::move(free));
 }
 
 
-bool Foam::cghs::packer::addOnLattice
+Foam::label Foam::cghs::packer::addOnLattice
 (
     const boundBox& region,
-    const scalar r,
-    const label n
+    const UList<scalar>& radii
 )
 {
+    const scalar r = radii[0];
+    const label n = radii.size();
+
     // The widest lattice that has n free sites
     scalar tight = 2*r*(1 + 1e-6);
     scalar wide = 4*r;
 
-    if (freeSites(region, r, tight).size() < n)
+    const label capacity = freeSites(region, r, tight).size();
+    if (capacity < n)
     {
-        return false;
+        return capacity;
     }
 
     for (label step = 0; step < 12; ++step)
@@ -209,12 +269,12 @@ bool Foam::cghs::packer::addOnLattice
     {
         std::swap(sites[i], sites[random_.position(i, sites.size() - 1)]);
 
-        const sphere site(sites[i], r);
+        const sphere site(sites[i], radii[i]);
         const sphere shaken
         (
             sites[i]
           + play*(2*random_.sample01<vector>() - vector::uniform(1)),
-            r
+            radii[i]
         );
 
         const label celli = freeCell(shaken, region);
@@ -229,63 +289,37 @@ bool Foam::cghs::packer::addOnLattice
         }
     }
 
-    return true;
+    return n;
 }
 
 
-void Foam::cghs::packer::widenGrid(const scalar r)
-{
-    if (2*r > width_)
-    {
-        width_ = 2*r;
-        forget(placed_.size());
-    }
-}
-
-
-bool Foam::cghs::packer::fill
+Foam::label Foam::cghs::packer::fill
 (
     const boundBox& region,
-    const scalar r,
-    const label n
+    const UList<scalar>& radii
 )
 {
+    const label n = radii.size();
     const label before = placed_.size();
 
-    widenGrid(r);
+    if (n == 0)
+    {
+        return 0;
+    }
 
     // The box holds whole spheres
-    const vector margin(vector::uniform(r*(1 + 1e-9)));
-    const boundBox centres(region.min() + margin, region.max() - margin);
+    const boundBox centres(centresIn(region, radii[0]));
 
     if (centres.empty())
     {
-        return n == 0;
+        return 0;
     }
 
-    if (addSequentially(centres, r, n))
+    if (addSequentially(region, radii))
     {
-        return true;
+        return n;
     }
 
     forget(before);
-    return addOnLattice(centres, r, n);
-}
-
-
-Foam::label Foam::cghs::packer::capacity
-(
-    const boundBox& region,
-    const scalar r
-)
-{
-    widenGrid(r);
-
-    const vector margin(vector::uniform(r*(1 + 1e-9)));
-    const boundBox centres(region.min() + margin, region.max() - margin);
-
-    return
-        centres.empty()
-      ? 0
-      : freeSites(centres, r, 2*r*(1 + 1e-6)).size();
+    return addOnLattice(centres, radii);
 }

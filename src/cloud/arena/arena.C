@@ -34,6 +34,12 @@ void Foam::cghs::arena::add(column& c)
 }
 
 
+Foam::scalar Foam::cghs::arena::radiusOf(const scalar d, const scalar W)
+{
+    return 0.5*d*cbrt(W);
+}
+
+
 void Foam::cghs::arena::setSize
 (
     const label i,
@@ -44,7 +50,7 @@ void Foam::cghs::arena::setSize
 {
     diameters[i] = d;
     weights[i] = W;
-    spheres[i].r = 0.5*d*cbrt(W);
+    spheres[i].r = radiusOf(d, W);
     motions[i].invMass = 1/(rho*volume(i));
 }
 

@@ -18,6 +18,7 @@ Description
 #include "Time.H"
 #include "polyMesh.H"
 #include "contactStage.H"
+#include "hardSphereImpulse.H"
 #include "transport.H"
 #include "Random.H"
 #include "IStringStream.H"
@@ -36,6 +37,35 @@ constexpr scalar density = 2500;
 constexpr scalar smallest = 4e-4;
 constexpr scalar largest = 4e-3;
 constexpr scalar growth = 0.01;
+
+
+//- Impacts of what touches, and of nothing else
+class impactOfAll
+:
+    public contactModel
+{
+public:
+
+    virtual bool needsContacts() const { return true; }
+
+    virtual bool needsSpin() const { return false; }
+
+    virtual label nSweeps() const { return 1; }
+
+    virtual void sweep
+    (
+        const label,
+        contactList& list,
+        bodies& b,
+        const stepScales&
+    )
+    {
+        for (const contact& c : list.contacts)
+        {
+            collide(c, b, impactCoeffs{0.9, 0.9, 0});
+        }
+    }
+};
 
 
 //- All parcels are drawn on all ranks, and kept where they are
@@ -167,26 +197,6 @@ int main(int argc, char *argv[])
     #include "createPolyMesh.H"
 
     const dictionary boundary(IStringStream("\".*\" rebound;")());
-    const dictionary models
-    (
-        IStringStream
-        (
-            "contactModel hardSphere;"
-            "hardSphereCoeffs"
-            "{"
-            "    parcelParcel"
-            "    {"
-            "        restitutionCoefficient             0.9;"
-            "        tangentialRestitutionCoefficient   0.9;"
-            "        frictionCoefficient                0;"
-            "    }"
-            "    parcelWall { $parcelParcel; }"
-            "    restitutionScaling unscaled;"
-            "    correctionModel none;"
-            "}"
-        )()
-    );
-
     const vector span
     (
         returnReduce(mesh.bounds().max(), maxOp<vector>())
@@ -200,7 +210,7 @@ int main(int argc, char *argv[])
     transport motion(mesh, boundary);
     contactStage contacts
     (
-        contactModel::New(models, 1),
+        autoPtr<contactModel>(new impactOfAll),
         0.5,
         mesh,
         motion.wallPatches(),
@@ -235,9 +245,7 @@ int main(int argc, char *argv[])
         nWrong += mag(found - nContacts(spheres, span, periods.size()));
         nFound += found;
 
-        // In a step without end nobody is fast: the contacts are to be those of
-        // the moment, not those of half a step later
-        contacts.moved(motion.move(parcels, deltaT).maxDistance, GREAT);
+        contacts.moved(motion.move(parcels, deltaT).maxDistance, deltaT);
         contacts.resized(grow(parcels, step));
     }
 
