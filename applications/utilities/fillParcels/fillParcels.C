@@ -45,6 +45,7 @@ Usage
 #include "packer.H"
 #include "transport.H"
 #include "parcelFiles.H"
+#include "cloudProperties.H"
 #include "checkedEntry.H"
 #include "mathematicalConstants.H"
 #include "IOdictionary.H"
@@ -121,16 +122,7 @@ int main(int argc, char *argv[])
 
     const word cloudName(args.get<word>("cloud", "parcels"));
 
-    const IOdictionary properties
-    (
-        IOobject
-        (
-            cloudName + "Properties",
-            runTime.constant(),
-            mesh,
-            IOobject::MUST_READ
-        )
-    );
+    const IOdictionary properties(readCloudProperties(mesh, cloudName));
     const IOdictionary fillDict
     (
         IOobject
@@ -145,12 +137,9 @@ int main(int argc, char *argv[])
 
     // ---- The parcel -------------------------------------------------------
 
-    const dictionary& constants = properties.subDict("constantProperties");
-    const scalar diameter = positiveScalar(constants, "diameter");
-    const scalar density = positiveScalar(constants, "density");
-    const scalar weight = scalarInRange(constants, "parcelWeight", 1, GREAT);
-
-    const scalar radius = 0.5*diameter*Foam::cbrt(weight);
+    const particleProperties particle(properties);
+    const scalar density = particle.density;
+    const scalar radius = 0.5*particle.parcelDiameter();
     const scalar volume = 4.0/3.0*constant::mathematical::pi*pow3(radius);
 
 
@@ -220,8 +209,8 @@ int main(int argc, char *argv[])
     {
         parcels.spheres[i] = spheres.spheres()[i];
         parcels.motions[i] = motion(velocities[i], 1/(density*volume));
-        parcels.weights[i] = weight;
-        parcels.diameters[i] = diameter;
+        parcels.weights[i] = particle.parcelWeight;
+        parcels.diameters[i] = particle.diameter;
         parcels.cells[i] = spheres.cells()[i];
         parcels.ids[i] = i;
     }
