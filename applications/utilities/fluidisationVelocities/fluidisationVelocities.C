@@ -322,7 +322,12 @@ static void printTable
     }
 
     const scalar Umf = wenYuMinimumFluidisation(p);
-    printRow("Wen and Yu's U_mf", "correlation", List<scalar>({Umf, p.Re(Umf)}));
+    printRow
+    (
+        "Wen and Yu's U_mf",
+        "correlation",
+        List<scalar>({Umf, p.Re(Umf)})
+    );
 
     Info<< nl << "* of this case" << nl;
 

@@ -87,7 +87,11 @@ Foam::scalar Foam::cghs::SyamlalOBrien::D
     const scalar A = pow(e, 4.14);
     const scalar B = e <= 0.85 ? C2_*pow(e, 1.28) : pow(e, C1_);
     const scalar a = 0.06*Re;
-    const scalar vr = 0.5*(A - a + sqrt(sqr(a) + 2*a*(2*B - A) + sqr(A)));
+
+    // The same as in the header, without a difference of large numbers
+    const scalar b = A - a;
+    const scalar root = sqrt(sqr(b) + 4*a*B);
+    const scalar vr = b > 0 ? 0.5*(b + root) : 2*a*B/(root - b);
 
     const scalar CsoRe = sqr(0.63*sqrt(Re)/vr + 4.8/sqrt(vr));
 
