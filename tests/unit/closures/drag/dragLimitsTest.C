@@ -48,6 +48,16 @@ TEST_CASE("Drag laws are finite and above zero anywhere", "[drag]")
             }
         }
     }
+
+    // A fit that all but vanishes at e = 1, and a voidage rounded up
+    const autoPtr<dragModel> vanishing
+    (
+        dragLawOf("EMMS", "EMMSCoeffs { dilute (1 -0.9999999999999 -0.1); }")
+    );
+    for (const scalar e : {0.96, 1.0, 1 + 1e-12})
+    {
+        finite.count(overStokes(*vanishing, e, 1) > 0);
+    }
     finite.settle();
 }
 
@@ -280,6 +290,17 @@ TEST_CASE("A blend touches nothing beyond its width", "[drag]")
     for (const scalar e : {0.3, 0.749, 0.851, 1.0})
     {
         same.see(mag(overStokes(*sharp, e, 10) - overStokes(*blended, e, 10)));
+    }
+
+    // Even the widest leaves Gao's branches room of their own
+    const autoPtr<dragModel> gao(dragLawOf("Gao"));
+    const autoPtr<dragModel> wide
+    (
+        dragLawOf("Gao", "GaoCoeffs { blendWidth 0.09; }")
+    );
+    for (const scalar e : {0.754, 0.846, 0.887, 0.979, 1.0})
+    {
+        same.see(mag(overStokes(*gao, e, 10) - overStokes(*wide, e, 10)));
     }
     same.settle();
 }
