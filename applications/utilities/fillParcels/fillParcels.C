@@ -61,6 +61,7 @@ Usage
 #include "packer.H"
 #include "transport.H"
 #include "parcelFiles.H"
+#include "cloudProperties.H"
 #include "checkedEntry.H"
 #include "distributionModel.H"
 #include "fixedValue.H"
@@ -369,16 +370,7 @@ int main(int argc, char *argv[])
 
     const word cloudName(args.get<word>("cloud", "parcels"));
 
-    const IOdictionary properties
-    (
-        IOobject
-        (
-            cloudName + "Properties",
-            runTime.constant(),
-            mesh,
-            IOobject::MUST_READ
-        )
-    );
+    const IOdictionary properties(readCloudProperties(mesh, cloudName));
     const IOdictionary fillDict
     (
         IOobject

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "cghsCloud.H"
+#include "cloudProperties.H"
 #include "parcelFiles.H"
 #include "checkedEntry.H"
 #include "profiling.H"
@@ -38,27 +39,6 @@ Foam::scalar Foam::cghs::census::granularTemperature() const
 
 // * * * * * * * * * * * * * * * Construction  * * * * * * * * * * * * * * * //
 
-Foam::IOdictionary Foam::cghs::cghsCloud::readProperties
-(
-    const fvMesh& mesh,
-    const word& name
-)
-{
-    return IOdictionary
-    (
-        IOobject
-        (
-            name + "Properties",
-            mesh.time().constant(),
-            mesh,
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE,
-            false
-        )
-    );
-}
-
-
 Foam::scalar Foam::cghs::cghsCloud::largestDiameter() const
 {
     scalar d = 0;
@@ -81,7 +61,7 @@ Foam::cghs::cghsCloud::cghsCloud
 :
     cloud(mesh, name),
     mesh_(mesh),
-    properties_(readProperties(mesh, name)),
+    properties_(readCloudProperties(mesh, name)),
     coupling_(couplingNames.get("coupling", solution())),
     g_(g),
     maxDisplacement_(scalarInRange(solution(), "maxDisplacement", SMALL, 0.5)),

@@ -151,4 +151,6 @@ void Foam::cghs::suspension::complete
               - (parcels.volume(i)*m.invMass)*dGradP[celli]
             );
     }
+
+    drag_->warnOutsideRange();
 }

@@ -80,22 +80,6 @@ static void takeFromPatches
 
 // * * * * * * * * * * * * * * * Construction  * * * * * * * * * * * * * * * //
 
-Foam::dimensionedScalar Foam::cghs::incompressibleFluid::readRho() const
-{
-    const dimensionedScalar rho("rho", dimDensity, transport_);
-
-    if (!(rho.value() > 0))
-    {
-        FatalIOErrorInFunction(transport_)
-            << "Entry rho is " << rho.value()
-            << " but must be greater than zero" << nl
-            << exit(FatalIOError);
-    }
-
-    return rho;
-}
-
-
 Foam::tmp<Foam::volScalarField>
 Foam::cghs::incompressibleFluid::boundedVoidage(const volScalarField& theta)
 {
@@ -150,7 +134,7 @@ Foam::cghs::incompressibleFluid::incompressibleFluid
     (
         fieldIO("rho", mesh, IOobject::NO_READ, IOobject::NO_WRITE),
         mesh,
-        readRho()
+        positiveDimensioned(transport_, "rho", dimDensity)
     ),
     mu_("mu", rho_*transport_.nu()),
     gradP_

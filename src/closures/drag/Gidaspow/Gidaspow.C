@@ -14,14 +14,22 @@ namespace cghs
 {
     defineTypeNameAndDebug(Gidaspow, 0);
     addToRunTimeSelectionTable(dragModel, Gidaspow, dictionary);
+    addToRunTimeSelectionTable(dragModel, Gidaspow, published);
 }
 }
+
+
+Foam::cghs::Gidaspow::Gidaspow()
+:
+    blendWidth_(0)
+{}
 
 
 Foam::cghs::Gidaspow::Gidaspow(const dictionary& dict)
 :
     blendWidth_(scalarInRange(dict, "blendWidth", 0, 0.4))
 {}
+
 
 Foam::scalar Foam::cghs::Gidaspow::D
 (
@@ -32,21 +40,12 @@ Foam::scalar Foam::cghs::Gidaspow::D
     const scalar mu
 ) const
 {
-    const scalar low = 0.8 - 0.5*blendWidth_;
-    const scalar high = 0.8 + 0.5*blendWidth_;
-
-    if (e <= low)
-    {
-        return ergunD(e, u, d, rho, mu);
-    }
-    else if (e >= high)
-    {
-        return wenYuD(e, u, d, rho, mu);
-    }
-
-    const scalar dilute = (e - low)/blendWidth_;
-
-    return
-        (1 - dilute)*ergunD(e, u, d, rho, mu)
-      + dilute*wenYuD(e, u, d, rho, mu);
+    return blended
+    (
+        e,
+        0.8,
+        blendWidth_,
+        [&]{ return ergunD(e, u, d, rho, mu); },
+        [&]{ return wenYuD(e, u, d, rho, mu); }
+    );
 }

@@ -14,8 +14,28 @@ namespace cghs
 {
     defineTypeNameAndDebug(SyamlalOBrien, 0);
     addToRunTimeSelectionTable(dragModel, SyamlalOBrien, dictionary);
+    addToRunTimeSelectionTable(dragModel, SyamlalOBrien, published);
 }
 }
+
+
+Foam::cghs::SyamlalOBrien::SyamlalOBrien
+(
+    const scalar C1,
+    const scalar C2,
+    const bool voidageInRe
+)
+:
+    C1_(C1),
+    C2_(C2),
+    voidageInRe_(voidageInRe)
+{}
+
+
+Foam::cghs::SyamlalOBrien::SyamlalOBrien()
+:
+    SyamlalOBrien(2.65, 0.8, false)
+{}
 
 
 Foam::cghs::SyamlalOBrien::SyamlalOBrien(const dictionary& dict)
@@ -24,6 +44,34 @@ Foam::cghs::SyamlalOBrien::SyamlalOBrien(const dictionary& dict)
     C2_(positiveScalar(dict, "C2")),
     voidageInRe_(dict.get<bool>("voidageInRe"))
 {}
+
+
+Foam::cghs::SyamlalOBrien Foam::cghs::SyamlalOBrien::calibrated
+(
+    const scalar D,
+    const scalar e,
+    const scalar u,
+    const scalar d,
+    const scalar rho,
+    const scalar mu,
+    const bool voidageInRe
+)
+{
+    const scalar Re = reynolds(voidageInRe ? e : 1, u, d, rho, mu);
+
+    // The v_r of this drag: C_so Re = s^2, quadratic in sqrt(v_r)
+    const scalar s = sqrt(D*sqr(d)/(0.75*mu*(voidageInRe ? 1 : e)));
+    const scalar vr = sqr((4.8 + sqrt(sqr(4.8) + 2.52*s*sqrt(Re)))/(2*s));
+
+    // The B of this v_r, and the C1 that joins both branches of B
+    const scalar a = 0.06*Re;
+    const scalar B = vr*(vr - pow(e, 4.14) + a)/a;
+    const scalar C2 = B/pow(e, 1.28);
+    const scalar C1 = C2 > 0 ? 1.28 + log(C2)/log(0.85) : GREAT;
+
+    return SyamlalOBrien(C1, C2, voidageInRe);
+}
+
 
 Foam::scalar Foam::cghs::SyamlalOBrien::D
 (
@@ -39,7 +87,11 @@ Foam::scalar Foam::cghs::SyamlalOBrien::D
     const scalar A = pow(e, 4.14);
     const scalar B = e <= 0.85 ? C2_*pow(e, 1.28) : pow(e, C1_);
     const scalar a = 0.06*Re;
-    const scalar vr = 0.5*(A - a + sqrt(sqr(a) + 2*a*(2*B - A) + sqr(A)));
+
+    // The same as in the header, without a difference of large numbers
+    const scalar b = A - a;
+    const scalar root = sqrt(sqr(b) + 4*a*B);
+    const scalar vr = b > 0 ? 0.5*(b + root) : 2*a*B/(root - b);
 
     const scalar CsoRe = sqr(0.63*sqrt(Re)/vr + 4.8/sqrt(vr));
 

@@ -13,12 +13,10 @@ namespace cghs
 {
     defineTypeNameAndDebug(WenYu, 0);
     addToRunTimeSelectionTable(dragModel, WenYu, dictionary);
+    addToRunTimeSelectionTable(dragModel, WenYu, published);
 }
 }
 
-
-Foam::cghs::WenYu::WenYu(const dictionary&)
-{}
 
 Foam::scalar Foam::cghs::WenYu::D
 (

@@ -5,6 +5,10 @@
 
 #include "dragModel.H"
 #include "selectModel.H"
+#include "sphereDrag.H"
+#include "vector2D.H"
+#include "Pstream.H"
+#include "PstreamReduceOps.H"
 
 namespace Foam
 {
@@ -12,6 +16,7 @@ namespace cghs
 {
     defineTypeNameAndDebug(dragModel, 0);
     defineRunTimeSelectionTable(dragModel, dictionary);
+    defineRunTimeSelectionTable(dragModel, published);
 }
 }
 
@@ -22,4 +27,87 @@ Foam::autoPtr<Foam::cghs::dragModel> Foam::cghs::dragModel::New
 )
 {
     return selectModel<dragModel>(subModels, *dictionaryConstructorTablePtr_);
+}
+
+
+Foam::autoPtr<Foam::cghs::dragModel> Foam::cghs::dragModel::NewOrPublished
+(
+    const word& law,
+    const dictionary& subModels
+)
+{
+    const auto published = publishedConstructorTablePtr_->cfind(law);
+
+    if (subModels.found(law + "Coeffs"))
+    {
+        dictionary choice(subModels);
+        choice.set(typeName, law);
+        return New(choice);
+    }
+
+    return published.found() ? published()() : nullptr;
+}
+
+
+Foam::wordList Foam::cghs::dragModel::names()
+{
+    return dictionaryConstructorTablePtr_->sortedToc();
+}
+
+
+void Foam::cghs::dragModel::note
+(
+    const UList<scalar>& e,
+    const UList<scalar>& u,
+    const UList<scalar>& d,
+    const UList<scalar>& rho,
+    const UList<scalar>& mu,
+    const label n
+) const
+{
+    for (label i = 0; i < n; ++i)
+    {
+        lowestVoidage_ = min(lowestVoidage_, e[i]);
+        highestRe_ =
+            max(highestRe_, reynolds(e[i], u[i], d[i], rho[i], mu[i]));
+    }
+}
+
+
+bool Foam::cghs::dragModel::warnOutsideRange() const
+{
+    const dragRange limits = range();
+    const vector2D extremes
+    (
+        returnReduce
+        (
+            vector2D(-lowestVoidage_, highestRe_),
+            maxOp<vector2D>()
+        )
+    );
+    const scalar e = -extremes.x();
+    const scalar Re = extremes.y();
+
+    const bool tellVoidage = !warnedOfVoidage_ && e < limits.minVoidage;
+    const bool tellRe = !warnedOfRe_ && Re > limits.maxRe;
+
+    if (tellVoidage)
+    {
+        WarningInFunction
+            << "Drag law " << type() << " was asked at voidage " << e
+            << " but is made for " << limits.minVoidage << " to 1." << nl
+            << "    It is extrapolated; this is said once" << nl << endl;
+    }
+    if (tellRe)
+    {
+        WarningInFunction
+            << "Drag law " << type() << " was asked at Re " << Re
+            << " but is made for Re up to " << limits.maxRe << '.' << nl
+            << "    It is extrapolated; this is said once" << nl << endl;
+    }
+
+    warnedOfVoidage_ = warnedOfVoidage_ || tellVoidage;
+    warnedOfRe_ = warnedOfRe_ || tellRe;
+
+    return tellVoidage || tellRe;
 }
