@@ -8,7 +8,7 @@
 Foam::cghs::packer::packer
 (
     const polyMesh& mesh,
-    const labelList& wallPatches,
+    const List<labelPair>& wallPatches,
     const label seed
 )
 :

@@ -7,11 +7,17 @@
 #include "mathematicalConstants.H"
 #include "error.H"
 
-Foam::cghs::arena::arena(const bool spinning, const bool shifting)
+Foam::cghs::arena::arena
+(
+    const bool spinning,
+    const bool shifting,
+    const label nMaterials
+)
 :
     size_(0),
     spinning_(spinning),
-    shifting_(shifting)
+    shifting_(shifting),
+    nMaterials_(nMaterials)
 {
     add(spheres);
     add(motions);
@@ -23,6 +29,10 @@ Foam::cghs::arena::arena(const bool spinning, const bool shifting)
     if (spinning_)
     {
         add(spins);
+    }
+    if (nMaterials_ > 1)
+    {
+        add(materials);
     }
 }
 
@@ -78,6 +88,10 @@ Foam::label Foam::cghs::arena::addGuests(const label n)
     {
         spins.resize(first + n, Zero);
     }
+    if (nMaterials_ > 1)
+    {
+        materials.resize(first + n, 0);
+    }
 
     return first;
 }
@@ -91,6 +105,10 @@ void Foam::cghs::arena::dismissGuests()
     if (spinning_)
     {
         spins.resize(size_);
+    }
+    if (nMaterials_ > 1)
+    {
+        materials.resize(size_);
     }
 }
 

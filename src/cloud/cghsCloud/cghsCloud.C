@@ -80,7 +80,12 @@ Foam::cghs::cghsCloud::cghsCloud
             )
         )
     ),
-    parcels_(contactModel_->needsSpin(), contactModel_->needsShifts()),
+    parcels_
+    (
+        contactModel_->needsSpin(),
+        contactModel_->needsShifts(),
+        max(contactModel_->materials().size(), 1)
+    ),
     transport_(mesh, properties_.subDict("boundary")),
     contacts_
     (
@@ -104,6 +109,7 @@ Foam::cghs::cghsCloud::cghsCloud
     }
 
     readParcels(mesh, name, parcels_);
+    transport_.constrain(parcels_);
 
     if (coupling_ != couplingType::none)
     {

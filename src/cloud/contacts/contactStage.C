@@ -12,7 +12,7 @@ Foam::cghs::contactStage::contactStage
     autoPtr<contactModel>&& model,
     const scalar skinShare,
     const polyMesh& mesh,
-    const UList<label>& wallPatches,
+    const UList<labelPair>& wallPatches,
     const List<vector>& periods,
     const vector& g
 )
@@ -172,7 +172,18 @@ inline void Foam::cghs::contactStage::appendIfNear
         (
             makeContact
             (
-                i, bodyOfJ, contact::parcelParcel, slot, d, sumOfRadii
+                i,
+                bodyOfJ,
+                contact::surfaceOf
+                (
+                    contact::parcelParcel,
+                    parcels.materialOf(i),
+                    parcels.materialOf(bodyOfJ),
+                    parcels.nMaterials()
+                ),
+                slot,
+                d,
+                sumOfRadii
             )
         );
 
@@ -201,8 +212,16 @@ void Foam::cghs::contactStage::findContacts
         wallBody_,
         margin_,
         horizon(deltaT),
-        [&](const contact& c)
+        [&](contact& c)
         {
+            const label material = parcels.materialOf(c.a);
+            c.surface = contact::surfaceOf
+            (
+                contact::surfaceType(c.surface),
+                material,
+                material,
+                parcels.nMaterials()
+            );
             maxOverlap_ =
                 max(maxOverlap_, 0.5*c.overlap/parcels.spheres[c.a].r);
             appendIfMeeting(c, parcels, deltaT, contacts_);

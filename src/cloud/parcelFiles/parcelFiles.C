@@ -47,6 +47,10 @@ static void forFields(const arena& parcels, const Use& use)
     {
         use("omega", w);
     }
+    if (parcels.nMaterials() > 1)
+    {
+        use("typeId", labelField(SubList<label>(parcels.materials, n)));
+    }
 }
 
 
@@ -153,6 +157,33 @@ static void checkPlace
     }
 }
 
+
+//- The number of each parcel's material
+static labelField readMaterials
+(
+    const passiveParticleCloud& files,
+    const label nMaterials
+)
+{
+    const labelField materials(readField<label>(files, "typeId"));
+
+    forAll(materials, i)
+    {
+        if (materials[i] < 0 || materials[i] >= nMaterials)
+        {
+            FatalErrorInFunction
+                << "Parcel " << i << " has typeId " << materials[i] << " in "
+                << files.fieldIOobject
+                   ("typeId", IOobject::NO_READ).objectPath()
+                << nl << "It must be from 0 to " << nMaterials - 1
+                << ", the number in the contact model's list of materials" << nl
+                << exit(FatalError);
+        }
+    }
+
+    return materials;
+}
+
 } // End namespace cghs
 } // End namespace Foam
 
@@ -199,6 +230,16 @@ void Foam::cghs::readParcels
     (
         spins ? readField<vector>(files, "omega") : vectorField()
     );
+
+    if (parcels.nMaterials() > 1)
+    {
+        const labelField materials(readMaterials(files, parcels.nMaterials()));
+
+        forAll(materials, i)
+        {
+            parcels.materials[i] = materials[i];
+        }
+    }
 
     label i = 0;
     for (const passiveParticle& p : files)

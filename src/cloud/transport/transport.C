@@ -12,6 +12,8 @@
 #include "symmetryPolyPatch.H"
 #include "symmetryPlanePolyPatch.H"
 #include "wedgePolyPatch.H"
+#include "contact.H"
+#include "meshTools.H"
 #include "PstreamBuffers.H"
 #include "globalMeshData.H"
 #include "SubField.H"
@@ -43,18 +45,20 @@ void Foam::cghs::transport::readActions(const dictionary& dict)
         {
             actions_[patchi] = action::coupled;
         }
-        else if
-        (
-            isA<cyclicAMIPolyPatch>(pp)
-         || isA<wedgePolyPatch>(pp)
-         || isA<symmetryPolyPatch>(pp)
-         || isA<symmetryPlanePolyPatch>(pp)
-        )
+        else if (isA<symmetryPolyPatch>(pp) || isA<symmetryPlanePolyPatch>(pp))
+        {
+            actions_[patchi] = action::mirror;
+        }
+        else if (isA<wedgePolyPatch>(pp))
+        {
+            actions_[patchi] = action::axis;
+        }
+        else if (isA<cyclicAMIPolyPatch>(pp))
         {
             FatalIOErrorInFunction(dict)
                 << "Patch " << pp.name() << " is of type " << pp.type()
-                << ", which parcels cannot meet yet" << nl
-                << "Use patch, wall, cyclic or empty" << nl
+                << ", which parcels cannot pass" << nl
+                << "Make its two sides match and use cyclic" << nl
                 << exit(FatalIOError);
         }
         else if (!dict.found(pp.name()))
@@ -83,9 +87,23 @@ void Foam::cghs::transport::readActions(const dictionary& dict)
 }
 
 
-Foam::labelList Foam::cghs::transport::wallPatches() const
+Foam::List<Foam::labelPair> Foam::cghs::transport::wallPatches() const
 {
-    return findIndices(actions_, action::rebound);
+    DynamicList<labelPair> patches;
+
+    forAll(actions_, patchi)
+    {
+        if (actions_[patchi] == action::rebound)
+        {
+            patches.append(labelPair(patchi, contact::parcelWall));
+        }
+        else if (actions_[patchi] == action::mirror)
+        {
+            patches.append(labelPair(patchi, contact::parcelMirror));
+        }
+    }
+
+    return List<labelPair>(std::move(patches));
 }
 
 
@@ -145,6 +163,41 @@ Foam::List<Foam::vector> Foam::cghs::transport::periods(const polyMesh& mesh)
 }
 
 // * * * * * * * * * * * * * * * * The boundary  * * * * * * * * * * * * * * //
+
+void Foam::cghs::transport::reflect
+(
+    arena& parcels,
+    const label i,
+    const wedgePolyPatch& wedge
+)
+{
+    // Parcels stay in the middle plane, which the plane of the patch cuts in the
+    // axis
+    const point middle(mesh_.bounds().centre());
+    const point& onPatch = wedge.faceCentres()[0];
+    const vector& n = wedge.faceNormals()[0];
+    vector radial(wedge.axis() ^ wedge.centreNormal());
+
+    const point onAxis
+    (
+        middle + ((n & (onPatch - middle))/(n & radial))*radial
+    );
+
+    if ((radial & (onPatch - onAxis)) < 0)
+    {
+        radial = -radial;
+    }
+
+    const scalar r = (parcels.spheres[i].x - onAxis) & radial;
+
+    if (r < 0)
+    {
+        vector& v = parcels.motions[i].v;
+        parcels.spheres[i].x -= (2*r)*radial;
+        v -= 2*min(v & radial, scalar(0))*radial;
+    }
+}
+
 
 void Foam::cghs::transport::turnBack
 (
@@ -208,7 +261,17 @@ Foam::cghs::transport::fate Foam::cghs::transport::settleOne
         switch (actions_[patchi])
         {
             case action::rebound:
+            case action::mirror:
                 turnBack(parcels, i, facei);
+                break;
+
+            case action::axis:
+                reflect
+                (
+                    parcels,
+                    i,
+                    refCast<const wedgePolyPatch>(mesh_.boundaryMesh()[patchi])
+                );
                 break;
 
             case action::escape:
@@ -384,6 +447,22 @@ void Foam::cghs::transport::settle(arena& parcels)
 
 // * * * * * * * * * * * * * * * * The motion  * * * * * * * * * * * * * * * //
 
+void Foam::cghs::transport::constrain(arena& parcels) const
+{
+    bool wedge = false;
+
+    for (const polyPatch& pp : mesh_.boundaryMesh())
+    {
+        wedge = wedge || isA<wedgePolyPatch>(pp);
+    }
+
+    for (label i = 0; wedge && i < parcels.size(); ++i)
+    {
+        meshTools::constrainToMeshCentre(mesh_, parcels.spheres[i].x);
+    }
+}
+
+
 Foam::cghs::transport::report Foam::cghs::transport::survey
 (
     const arena& parcels
@@ -444,7 +523,11 @@ Foam::cghs::transport::report Foam::cghs::transport::move
         {
             const label patchi = mesh_.boundaryMesh().whichPatch(facei);
 
-            if (actions_[patchi] == action::rebound)
+            if
+            (
+                actions_[patchi] == action::rebound
+             || actions_[patchi] == action::mirror
+            )
             {
                 turnBack(parcels, i, facei);
             }

@@ -62,12 +62,14 @@ Foam::cghs::wallSurfaces::triangle::triangle
 (
     const vector& a,
     const vector& b,
-    const vector& c
+    const vector& c,
+    const contact::surfaceType surface
 )
 :
     a(a),
     b(b),
-    c(c)
+    c(c),
+    surface(surface)
 {
     const vector area((b - a) ^ (c - a));
 
@@ -78,14 +80,13 @@ Foam::cghs::wallSurfaces::triangle::triangle
 }
 
 
-Foam::pointField Foam::cghs::wallSurfaces::ownCorners
+void Foam::cghs::wallSurfaces::appendCorners
 (
-    const polyMesh& mesh,
-    const UList<label>& patches
+    const polyPatch& pp,
+    const pointField& points,
+    DynamicList<point>& corners
 )
 {
-    DynamicList<point> corners;
-
     const auto add = [&](const point& a, const point& b, const point& c)
     {
         if (mag((b - a) ^ (c - a)) > VSMALL)
@@ -96,36 +97,28 @@ Foam::pointField Foam::cghs::wallSurfaces::ownCorners
         }
     };
 
-    for (const label patchi : patches)
+    forAll(pp, i)
     {
-        const polyPatch& pp = mesh.boundaryMesh()[patchi];
+        const face& f = pp[i];
 
-        forAll(pp, i)
+        // A fan about a corner, or, as it follows a warped face best, about the
+        // centre
+        const point& centre = pp.faceCentres()[i];
+
+        if (planar(f, points, centre, pp.faceAreas()[i]))
         {
-            const face& f = pp[i];
-            const pointField& points = mesh.points();
-
-            // A fan about a corner, or, as it follows a warped face best, about
-            // the centre
-            const point& centre = pp.faceCentres()[i];
-
-            if (planar(f, points, centre, pp.faceAreas()[i]))
+            for (label k = 1; k < f.size() - 1; ++k)
             {
-                for (label k = 1; k < f.size() - 1; ++k)
-                {
-                    add(points[f[0]], points[f[k]], points[f[k + 1]]);
-                }
-                continue;
+                add(points[f[0]], points[f[k]], points[f[k + 1]]);
             }
+            continue;
+        }
 
-            forAll(f, k)
-            {
-                add(centre, points[f[k]], points[f.nextLabel(k)]);
-            }
+        forAll(f, k)
+        {
+            add(centre, points[f[k]], points[f.nextLabel(k)]);
         }
     }
-
-    return pointField(std::move(corners));
 }
 
 
@@ -302,7 +295,7 @@ void Foam::cghs::wallSurfaces::appendNear
     const scalar least = nearness*s.r;
     found.append
     (
-        near{magSqr(d) < sqr(least) ? least*t.normal : d, interior}
+        near{magSqr(d) < sqr(least) ? least*t.normal : d, interior, t.surface}
     );
 }
 
@@ -352,7 +345,7 @@ void Foam::cghs::wallSurfaces::findContacts
         {
             contacts.append
             (
-                makeContact(i, wallBody, contact::parcelWall, i, f.d, s.r)
+                makeContact(i, wallBody, f.surface, i, f.d, s.r)
             );
         }
     }
@@ -440,7 +433,7 @@ bool Foam::cghs::wallSurfaces::touches(const sphere& s)
 Foam::cghs::wallSurfaces::wallSurfaces
 (
     const polyMesh& mesh,
-    const UList<label>& patches
+    const UList<labelPair>& patches
 )
 :
     reach_(-1),
@@ -453,27 +446,41 @@ Foam::cghs::wallSurfaces::wallSurfaces
     // Every rank sees all faces and keeps those near its part of the mesh.
     // How far parcels will reach is not known yet: the largest of them is
     // taken to fit into the mesh of a rank, widened by its own size
-    List<pointField> all(Pstream::nProcs());
-    all[Pstream::myProcNo()] = ownCorners(mesh, patches);
-
-    Pstream::gatherList(all);
-    Pstream::scatterList(all);
-
     boundBox box(mesh.points(), false);
     box.inflate(0.1);
     DynamicList<triangle> kept;
 
-    for (const pointField& corners : all)
+    for (const labelPair& patch : patches)
     {
-        for (label k = 0; k < corners.size(); k += 3)
-        {
-            const point& a = corners[k];
-            const point& b = corners[k + 1];
-            const point& c = corners[k + 2];
+        DynamicList<point> own;
+        appendCorners(mesh.boundaryMesh()[patch.first()], mesh.points(), own);
 
-            if (box.overlaps(boundBox(min(min(a, b), c), max(max(a, b), c))))
+        List<pointField> all(Pstream::nProcs());
+        all[Pstream::myProcNo()] = pointField(std::move(own));
+        Pstream::gatherList(all);
+        Pstream::scatterList(all);
+
+        for (const pointField& corners : all)
+        {
+            for (label k = 0; k < corners.size(); k += 3)
             {
-                kept.append(triangle(a, b, c));
+                const point& a = corners[k];
+                const point& b = corners[k + 1];
+                const point& c = corners[k + 2];
+
+                if
+                (
+                    box.overlaps(boundBox(min(min(a, b), c), max(max(a, b), c)))
+                )
+                {
+                    kept.append
+                    (
+                        triangle
+                        (
+                            a, b, c, contact::surfaceType(patch.second())
+                        )
+                    );
+                }
             }
         }
     }

@@ -5,7 +5,8 @@
 
 #include "hardSphere.H"
 #include "restitutionScaling.H"
-#include "checkedEntry.H"
+#include "surfaceTable.H"
+#include "frictionEntries.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -18,11 +19,12 @@ namespace cghs
     static impactCoeffs readCoeffs(const dictionary& dict)
     {
         return impactCoeffs
-        {
+        (
             scalarInRange(dict, "restitutionCoefficient", 0, 1),
             scalarInRange(dict, "tangentialRestitutionCoefficient", 0, 1),
-            scalarInRange(dict, "frictionCoefficient", 0, GREAT)
-        };
+            scalarInRange(dict, "frictionCoefficient", 0, GREAT),
+            rollingFrictionFrom(dict)
+        );
     }
 
 
@@ -32,18 +34,28 @@ namespace cghs
         const scalar parcelWeight
     )
     {
-        const dictionary& pairs = dict.subDict("parcelParcel");
+        const auto scaling = restitutionScaling::New(dict);
 
-        impactTable table
-        ({
-            readCoeffs(pairs),
-            readCoeffs(dict.subDict("parcelWall"))
-        });
+        return readSurfaces<impactCoeffs>
+        (
+            dict,
+            [&](const dictionary& surface, const contact::surfaceType type)
+            {
+                impactCoeffs k(readCoeffs(surface));
 
-        scalar& e = table[contact::parcelParcel].en;
-        e = restitutionScaling::New(dict)->ofParcel(pairs, e, parcelWeight);
+                if (type != contact::parcelWall)
+                {
+                    k.en = scaling->ofParcel(surface, k.en, parcelWeight);
+                }
+                if (type == contact::parcelMirror)
+                {
+                    k.mu = 0;
+                    k.rolling = 0;
+                }
 
-        return table;
+                return k;
+            }
+        );
     }
 }
 }
@@ -55,6 +67,7 @@ Foam::cghs::hardSphere::hardSphere
     const scalar parcelWeight
 )
 :
+    contactModel(materialsOf(dict)),
     coeffs_(readTable(dict, parcelWeight)),
     correction_(correctionModel::New(dict))
 {}
@@ -62,9 +75,7 @@ Foam::cghs::hardSphere::hardSphere
 
 bool Foam::cghs::hardSphere::needsSpin() const
 {
-    return
-        coeffs_[contact::parcelParcel].mu > 0
-     || coeffs_[contact::parcelWall].mu > 0;
+    return anyOf(coeffs_, [](const impactCoeffs& k) { return k.mu > 0; });
 }
 
 

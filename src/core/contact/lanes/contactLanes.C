@@ -89,7 +89,7 @@ void Foam::cghs::contactLanes::arrange
         block.n[1][l] = c.n.y();
         block.n[2][l] = c.n.z();
         block.overlap[l] = c.overlap;
-        wall[l] = c.surface == contact::parcelWall;
+        wall[l] = c.atWall();
     }
 
     block.abreast = block.size == laneCount && abreast(block, wall);

@@ -5,7 +5,8 @@
 
 #include "softSphere.H"
 #include "hardSphereImpulse.H"
-#include "checkedEntry.H"
+#include "surfaceTable.H"
+#include "frictionEntries.H"
 #include "mathematicalConstants.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -58,40 +59,44 @@ Foam::cghs::softSphere::springCoeffs Foam::cghs::softSphere::springOf
 {
     const scalar lnE = log(max(e, SMALL));
 
-    return springCoeffs{mag(lnE)/sqrt(sqr(pi) + sqr(lnE)), mu};
+    return springCoeffs{mag(lnE)/sqrt(sqr(pi) + sqr(lnE)), mu, 0};
 }
 
 
-Foam::FixedList<Foam::cghs::softSphere::springCoeffs, 2>
+Foam::List<Foam::cghs::softSphere::springCoeffs>
 Foam::cghs::softSphere::readTable
 (
     const dictionary& dict,
     const scalar parcelWeight
 )
 {
-    const dictionary& pairs = dict.subDict("parcelParcel");
-    const dictionary& walls = dict.subDict("parcelWall");
-    const word e("restitutionCoefficient");
-    const word mu("frictionCoefficient");
+    const auto scaling = restitutionScaling::New(dict);
 
-    return FixedList<springCoeffs, 2>
-    ({
-        springOf
-        (
-            restitutionScaling::New(dict)->ofParcel
-            (
-                pairs,
-                scalarInRange(pairs, e, SMALL, 1),
-                parcelWeight
-            ),
-            scalarInRange(pairs, mu, 0, GREAT)
-        ),
-        springOf
-        (
-            scalarInRange(walls, e, SMALL, 1),
-            scalarInRange(walls, mu, 0, GREAT)
-        )
-    });
+    return readSurfaces<springCoeffs>
+    (
+        dict,
+        [&](const dictionary& surface, const contact::surfaceType type)
+        {
+            scalar e = scalarInRange(surface, "restitutionCoefficient", SMALL, 1);
+            scalar mu = scalarInRange(surface, "frictionCoefficient", 0, GREAT);
+
+            if (type != contact::parcelWall)
+            {
+                e = scaling->ofParcel(surface, e, parcelWeight);
+            }
+
+            springCoeffs k(springOf(e, mu));
+            k.rolling = rollingFrictionFrom(surface);
+
+            if (type == contact::parcelMirror)
+            {
+                k.mu = 0;
+                k.rolling = 0;
+            }
+
+            return k;
+        }
+    );
 }
 
 
@@ -101,6 +106,7 @@ Foam::cghs::softSphere::softSphere
     const scalar parcelWeight
 )
 :
+    contactModel(materialsOf(dict)),
     stiffness_
     (
         positiveScalar(dict, "springConstant")
@@ -117,9 +123,7 @@ Foam::cghs::softSphere::softSphere
 
 bool Foam::cghs::softSphere::needsSpin() const
 {
-    return
-        coeffs_[contact::parcelParcel].mu > 0
-     || coeffs_[contact::parcelWall].mu > 0;
+    return anyOf(coeffs_, [](const springCoeffs& k) { return k.mu > 0; });
 }
 
 
@@ -236,6 +240,13 @@ void Foam::cghs::softSphere::sweep
         if (b.spinning())
         {
             turn(c, b, leverOf(c, b), rub);
+        }
+
+        const scalar rolling = coeffs_[c.surface].rolling;
+
+        if (rolling > 0)
+        {
+            resistRolling(c, b, rolling, list.memories[i].load);
         }
     }
 }

@@ -8,6 +8,7 @@
 #include "impulseKernels.H"
 #include "addToRunTimeSelectionTable.H"
 
+#include <algorithm>
 #include <numeric>
 
 namespace Foam
@@ -132,6 +133,33 @@ void Foam::cghs::accumulatedImpulse::start
 }
 
 
+void Foam::cghs::accumulatedImpulse::resistRolling
+(
+    const contactList& list,
+    bodies& b,
+    const impactTable& coeffs
+) const
+{
+    const auto rolls = [](const impactCoeffs& k) { return k.rolling > 0; };
+
+    if (!std::any_of(coeffs.begin(), coeffs.end(), rolls))
+    {
+        return;
+    }
+
+    forAll(list.contacts, i)
+    {
+        const contact& c = list.contacts[i];
+        const scalar load = list.memories[i].load;
+
+        if (load > 0)
+        {
+            cghs::resistRolling(c, b, coeffs[c.surface].rolling, load);
+        }
+    }
+}
+
+
 Foam::scalar Foam::cghs::accumulatedImpulse::sweepVelocities
 (
     contactList& list,
@@ -159,7 +187,7 @@ Foam::scalar Foam::cghs::accumulatedImpulse::sweep
     const label sweepi,
     contactList& list,
     bodies& b,
-    const impactTable&,
+    const impactTable& coeffs,
     const stepScales& step
 ) const
 {
@@ -176,6 +204,7 @@ Foam::scalar Foam::cghs::accumulatedImpulse::sweep
     }
 
     remember(list);
+    resistRolling(list, b, coeffs);
 
     separate kernel(list, b, overlapShare_, step.deltaT);
     run(kernel);
