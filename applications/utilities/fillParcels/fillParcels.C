@@ -81,17 +81,10 @@ constexpr scalar randomClosePacking = 0.64;
 
 //- What all parcels have in common
 struct constants
+:
+    public particleProperties
 {
-    const dictionary& dict;
-    const scalar density;
-    const scalar weight;
-
-    explicit constants(const dictionary& constantProperties)
-    :
-        dict(constantProperties),
-        density(positiveScalar(dict, "density")),
-        weight(scalarInRange(dict, "parcelWeight", 1, GREAT))
-    {}
+    using particleProperties::particleProperties;
 
     scalar radius(const scalar diameter) const
     {
@@ -152,7 +145,7 @@ static autoPtr<distributionModel> sizesOf
     }
 
     dictionary dict;
-    dict.add("value", positiveScalar(parcel.dict, "diameter"));
+    dict.add("value", parcel.diameter());
     return autoPtr<distributionModel>
     (
         new distributionModels::fixedValue(dict, random)
@@ -382,7 +375,7 @@ int main(int argc, char *argv[])
         )
     );
 
-    const constants parcel(properties.subDict("constantProperties"));
+    const constants parcel(properties);
     const cghs::transport boundary(mesh, properties.subDict("boundary"));
 
     packer spheres

@@ -412,7 +412,10 @@ int main(int argc, char *argv[])
     const scalar e = optionInRange(args, "voidage", 0.415, 0.25, 0.85);
 
     particleInFluid p;
-    p.d = optionInRange(args, "diameter", particle.diameter, 0, GREAT);
+    p.d =
+        args.found("diameter")
+      ? optionInRange(args, "diameter", 1, 0, GREAT)
+      : particle.diameter();
     p.rhoP = particle.density;
     p.g = readGravity(runTime);
     readFluid(args, runTime, p);
@@ -421,7 +424,7 @@ int main(int argc, char *argv[])
         << " kg/m^3, in a fluid of " << p.rho << " kg/m^3, " << p.mu
         << " kg/m/s" << nl
         << "Ar = " << p.Ar() << ", U_mf at voidage " << e << nl
-        << "A parcel, of " << particle.parcelWeight
+        << "A parcel, of " << particle.weight
         << " particles here, has the velocities of one of them" << nl
         << endl;
 

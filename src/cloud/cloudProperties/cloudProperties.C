@@ -32,16 +32,14 @@ Foam::cghs::particleProperties::particleProperties
 (
     const dictionary& cloudProperties
 )
+:
+    dict(cloudProperties.subDict("constantProperties")),
+    density(positiveScalar(dict, "density")),
+    weight(scalarInRange(dict, "parcelWeight", 1, GREAT))
+{}
+
+
+Foam::scalar Foam::cghs::particleProperties::diameter() const
 {
-    const dictionary& dict = cloudProperties.subDict("constantProperties");
-
-    diameter = positiveScalar(dict, "diameter");
-    density = positiveScalar(dict, "density");
-    parcelWeight = scalarInRange(dict, "parcelWeight", 1, GREAT);
-}
-
-
-Foam::scalar Foam::cghs::particleProperties::parcelDiameter() const
-{
-    return diameter*Foam::cbrt(parcelWeight);
+    return positiveScalar(dict, "diameter");
 }
