@@ -106,7 +106,7 @@ std::multiset<label> movers
 
 void correct(const correctionModel& model, bodyScene& scene, const scalar mu)
 {
-    const impactTable coeffs({impactCoeffs{1, 0, mu}, impactCoeffs{1, 0, mu}});
+    const impactTable coeffs(contact::nSurfaces, impactCoeffs(1, 0, mu));
     const stepScales step{1e-3, 9.81e-3, 1e-3};
     bodies b(scene.view());
 

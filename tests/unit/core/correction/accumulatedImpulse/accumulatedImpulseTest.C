@@ -38,10 +38,7 @@ const scalar deltaT = 1e-3;
 
 impactTable coeffsOf(const scalar mu)
 {
-    return impactTable
-    ({
-        impactCoeffs{0.9, 0.3, mu}, impactCoeffs{0.9, 0.3, mu}
-    });
+    return impactTable(contact::nSurfaces, impactCoeffs(0.9, 0.3, mu));
 }
 
 

@@ -42,10 +42,7 @@ autoPtr<correctionModel> velocityCorrectionOf
 }
 
 
-const impactTable coeffs
-({
-    impactCoeffs{0.9, 0.3, 0.1}, impactCoeffs{0.9, 0.3, 0.1}
-});
+const impactTable coeffs(contact::nSurfaces, impactCoeffs(0.9, 0.3, 0.1));
 
 
 scalar sweep
