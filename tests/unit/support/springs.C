@@ -67,14 +67,30 @@ Foam::scalar Foam::cghs::springs::frequency(const twoBodies& pair) const
 
 Foam::scalar Foam::cghs::springs::dampingRate(const twoBodies& pair) const
 {
-    const scalar lnE = log(restitution(pair));
-    return frequency(pair)*mag(lnE)/sqrt(sqr(pi) + sqr(lnE));
+    // The overlap of a contact that does not pull is that of the oscillator
+    // until its force is zero, which is at an angle of 2 asin(b/w) before pi
+    const scalar e = restitution(pair);
+    scalar low = 0, high = 0.99;
+
+    while (high - low > 1e-14)
+    {
+        const scalar share = 0.5*(low + high);
+        const scalar angle = pi - 2*asin(share);
+        const bool tooLively = exp(-share*angle/sqrt(1 - sqr(share))) > e;
+        (tooLively ? low : high) = share;
+    }
+
+    return low*frequency(pair);
 }
 
 
 Foam::scalar Foam::cghs::springs::contactTime(const twoBodies& pair) const
 {
-    return pi/sqrt(sqr(frequency(pair)) - sqr(dampingRate(pair)));
+    // When the force has ended the spheres part freely
+    const scalar w = frequency(pair), b = dampingRate(pair);
+    const scalar early = 2*asin(b/w);
+
+    return (pi - early + sin(early))/sqrt(sqr(w) - sqr(b));
 }
 
 

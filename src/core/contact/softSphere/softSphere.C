@@ -51,15 +51,37 @@ Foam::cghs::softSphere::stiffnessScalingNames
 });
 
 
+Foam::scalar Foam::cghs::softSphere::restitutionOf(const scalar damping)
+{
+    const scalar root = sqrt(mag(1 - sqr(damping)));
+
+    // At critical damping both branches are exp(-2)
+    const scalar phase =
+        root < 1e-6 ? 2
+      : damping < 1 ? (pi - 2*asin(damping))/root
+      : 2*acosh(damping)/root;
+
+    return exp(-damping*phase);
+}
+
+
 Foam::cghs::softSphere::springCoeffs Foam::cghs::softSphere::springOf
 (
     const scalar e,
     const scalar mu
 )
 {
-    const scalar lnE = log(max(e, SMALL));
+    // Restitution falls with damping, from 1 to about 1/(2 damping)^2
+    scalar low = 0;
+    scalar high = 1 + 1/sqrt(e);
 
-    return springCoeffs{mag(lnE)/sqrt(sqr(pi) + sqr(lnE)), mu, 0};
+    for (label i = 0; i < 100; ++i)
+    {
+        const scalar middle = 0.5*(low + high);
+        (restitutionOf(middle) > e ? low : high) = middle;
+    }
+
+    return springCoeffs{0.5*(low + high), mu, 0};
 }
 
 
@@ -134,8 +156,8 @@ void Foam::cghs::softSphere::checkStep
     const scalar deltaT
 )
 {
-    const scalar contactTime =
-        pi*sqrt(me/(stiffness_*max(1 - sqr(damping), SMALL)));
+    // Of an undamped spring; what dampens hard takes no longer
+    const scalar contactTime = pi*sqrt(me/stiffness_)/max(damping, scalar(1));
 
     if (deltaT > contactTime/20*(1 + SMALL))
     {
