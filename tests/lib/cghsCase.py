@@ -108,7 +108,8 @@ class Case:
         self.set(**parameters)
         self.run("fillParcels")
 
-    def parcels(self, x, U=(0, 0, 0), d=1e-3, rho=2500, W=1, omega=None):
+    def parcels(self, x, U=(0, 0, 0), d=1e-3, rho=2500, W=1, omega=None,
+                material=None):
         """Write parcels of given positions, velocities and so on to time 0;
         what is given once holds for all."""
         x = np.array(x, float).reshape(-1, 3)
@@ -123,6 +124,8 @@ class Case:
             self._field("scalar", name, np.broadcast_to(value, n))
         for name, value in vectors.items():
             self._field("vector", name, np.broadcast_to(value, (n, 3)))
+        if material is not None:
+            self._field("label", "typeId", material)
         self._field("label", "origId", range(n))
         self._field("label", "origProcId", [0]*n)
 
