@@ -10,6 +10,7 @@
 #include "SubField.H"
 
 #include <algorithm>
+#include <cmath>
 
 // * * * * * * * * * * * * * * * * Triangles * * * * * * * * * * * * * * * * //
 
@@ -122,35 +123,45 @@ void Foam::cghs::wallSurfaces::appendCorners
 }
 
 
-// * * * * * * * * * * * * * * * * The grid  * * * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * * The grids * * * * * * * * * * * * * * * * //
 
-Foam::label Foam::cghs::wallSurfaces::gridIndex(const vector& x) const
+Foam::label Foam::cghs::wallSurfaces::triangleGrid::index
+(
+    const vector& x
+) const
 {
-    label index = 0;
+    label i = 0;
 
     for (direction d = 0; d < 3; ++d)
     {
-        const scalar cell = floor((x[d] - origin_[d])/width_);
+        const scalar cell = floor((x[d] - origin[d])/width);
 
-        if (cell < 0 || cell >= n_[d])
+        if (cell < 0 || cell >= n[d])
         {
             return -1;
         }
-        index = index*n_[d] + label(cell);
+        i = i*n[d] + label(cell);
     }
 
-    return index;
+    return i;
 }
 
 
-void Foam::cghs::wallSurfaces::layGrid(const scalar reach)
+Foam::cghs::wallSurfaces::triangleGrid::triangleGrid
+(
+    const UList<triangle>& all,
+    const scalar reach
+)
+:
+    origin(Zero),
+    width(1),
+    n(0, 0, 0),
+    start(1, Zero)
 {
     constexpr scalar maxCells = 2e6;
 
-    reach_ = reach;
-
     boundBox box(vector::uniform(GREAT), vector::uniform(-GREAT));
-    for (const triangle& t : triangles_)
+    for (const triangle& t : all)
     {
         for (const vector& p : {t.a, t.b, t.c})
         {
@@ -159,25 +170,23 @@ void Foam::cghs::wallSurfaces::layGrid(const scalar reach)
         }
     }
 
-    if (triangles_.empty())
+    if (all.empty())
     {
-        n_ = labelVector(0, 0, 0);
-        gridStart_.resize(1, 0);
         return;
     }
 
     box.inflate(SMALL);
-    origin_ = box.min() - vector::uniform(reach);
+    origin = box.min() - vector::uniform(reach);
     const vector span(box.span() + vector::uniform(2*reach));
 
     // No finer than a parcel's reach, no more cells than memory is worth
-    width_ = max(reach, cbrt(span.x()*span.y()*span.z()/maxCells));
+    width = max(reach, cbrt(span.x()*span.y()*span.z()/maxCells));
     for (direction d = 0; d < 3; ++d)
     {
-        n_[d] = label(span[d]/width_) + 1;
+        n[d] = label(span[d]/width) + 1;
     }
 
-    const label nCells = n_.x()*n_.y()*n_.z();
+    const label nCells = n.x()*n.y()*n.z();
 
     // Once to count, once to fill
     labelList count(nCells, Zero);
@@ -185,17 +194,17 @@ void Foam::cghs::wallSurfaces::layGrid(const scalar reach)
 
     for (const bool counting : {true, false})
     {
-        forAll(triangles_, ti)
+        forAll(all, ti)
         {
-            const triangle& t = triangles_[ti];
+            const triangle& t = all[ti];
             labelVector lo, hi;
 
             for (direction d = 0; d < 3; ++d)
             {
                 const scalar low = min(min(t.a[d], t.b[d]), t.c[d]) - reach;
                 const scalar high = max(max(t.a[d], t.b[d]), t.c[d]) + reach;
-                lo[d] = max(label(floor((low - origin_[d])/width_)), 0);
-                hi[d] = min(label((high - origin_[d])/width_), n_[d] - 1);
+                lo[d] = max(label(floor((low - origin[d])/width)), 0);
+                hi[d] = min(label((high - origin[d])/width), n[d] - 1);
             }
 
             for (label i = lo.x(); i <= hi.x(); ++i)
@@ -206,19 +215,19 @@ void Foam::cghs::wallSurfaces::layGrid(const scalar reach)
                     {
                         const vector centre
                         (
-                            origin_ + width_*vector(i + 0.5, j + 0.5, k + 0.5)
+                            origin + width*vector(i + 0.5, j + 0.5, k + 0.5)
                         );
                         const vector p
                         (
                             closestPoint(t.a, t.b, t.c, centre).point
                         );
 
-                        if (mag(p - centre) > reach + 0.87*width_)
+                        if (mag(p - centre) > reach + 0.87*width)
                         {
                             continue;  // Off its half diagonal: out of reach
                         }
 
-                        const label c = (i*n_.y() + j)*n_.z() + k;
+                        const label c = (i*n.y() + j)*n.z() + k;
 
                         if (counting)
                         {
@@ -226,7 +235,7 @@ void Foam::cghs::wallSurfaces::layGrid(const scalar reach)
                         }
                         else
                         {
-                            gridTriangles_[fill[c]++] = ti;
+                            triangles[fill[c]++] = ti;
                         }
                     }
                 }
@@ -235,14 +244,74 @@ void Foam::cghs::wallSurfaces::layGrid(const scalar reach)
 
         if (counting)
         {
-            gridStart_.resize(nCells + 1);
-            gridStart_[0] = 0;
+            start.resize(nCells + 1);
+            start[0] = 0;
             forAll(count, c)
             {
-                gridStart_[c + 1] = gridStart_[c] + count[c];
+                start[c + 1] = start[c] + count[c];
             }
-            gridTriangles_.resize(gridStart_.last());
-            fill = SubList<label>(gridStart_, nCells);
+            triangles.resize(start.last());
+            fill = SubList<label>(start, nCells);
+        }
+    }
+}
+
+
+void Foam::cghs::wallSurfaces::widen(const scalar reach)
+{
+    if (reach > reach_)
+    {
+        reach_ = 1.01*reach;
+        grids_.clear();
+    }
+}
+
+
+template<class Visitor>
+void Foam::cghs::wallSurfaces::forNear
+(
+    const vector& x,
+    const scalar reach,
+    const Visitor& visit
+)
+{
+    constexpr label maxGrids = 8;
+
+    const label level = min(std::ilogb(reach_/reach), maxGrids - 1);
+
+    if (level >= grids_.size())
+    {
+        grids_.resize(level + 1);
+    }
+    if (!grids_.set(level))
+    {
+        grids_.set
+        (
+            level,
+            new triangleGrid(triangles_, std::ldexp(reach_, -level))
+        );
+    }
+
+    const triangleGrid& grid = grids_[level];
+    const label c = grid.index(x);
+
+    if (c == -1)
+    {
+        return;
+    }
+
+    for (label k = grid.start[c]; k < grid.start[c + 1]; ++k)
+    {
+        const triangle& t = triangles_[grid.triangles[k]];
+
+        // The plane alone tells most of them to be too far off
+        if
+        (
+            mag((t.a - x) & t.normal) < reach
+         && magSqr(closestPoint(t.a, t.b, t.c, x).point - x) < sqr(reach)
+        )
+        {
+            visit(grid.triangles[k]);
         }
     }
 }
@@ -365,10 +434,7 @@ void Foam::cghs::wallSurfaces::find
         reach = max(reach, spheres[i].r + skin);
     }
 
-    if (reach > reach_)
-    {
-        layGrid(1.01*reach);
-    }
+    widen(reach);
 
     start_.resize(nOwn + 1);
     candidates_.clear();
@@ -377,24 +443,12 @@ void Foam::cghs::wallSurfaces::find
     {
         start_[i] = candidates_.size();
 
-        const sphere& s = spheres[i];
-        const label c = gridIndex(s.x);
-
-        if (c == -1)
-        {
-            continue;
-        }
-
-        for (label k = gridStart_[c]; k < gridStart_[c + 1]; ++k)
-        {
-            const triangle& t = triangles_[gridTriangles_[k]];
-            const vector p(closestPoint(t.a, t.b, t.c, s.x).point);
-
-            if (magSqr(p - s.x) < sqr(s.r + skin))
-            {
-                candidates_.append(gridTriangles_[k]);
-            }
-        }
+        forNear
+        (
+            spheres[i].x,
+            spheres[i].r + skin,
+            [&](const label ti) { candidates_.append(ti); }
+        );
     }
 
     start_[nOwn] = candidates_.size();
@@ -403,29 +457,11 @@ void Foam::cghs::wallSurfaces::find
 
 bool Foam::cghs::wallSurfaces::touches(const sphere& s)
 {
-    if (s.r > reach_)
-    {
-        layGrid(1.01*s.r);
-    }
+    widen(s.r);
 
-    const label c = gridIndex(s.x);
-
-    if (c == -1)
-    {
-        return false;
-    }
-
-    for (label k = gridStart_[c]; k < gridStart_[c + 1]; ++k)
-    {
-        const triangle& t = triangles_[gridTriangles_[k]];
-
-        if (magSqr(closestPoint(t.a, t.b, t.c, s.x).point - s.x) < sqr(s.r))
-        {
-            return true;
-        }
-    }
-
-    return false;
+    bool touching = false;
+    forNear(s.x, s.r, [&](const label) { touching = true; });
+    return touching;
 }
 
 // * * * * * * * * * * * * * * * * * Public  * * * * * * * * * * * * * * * * //
@@ -437,10 +473,6 @@ Foam::cghs::wallSurfaces::wallSurfaces
 )
 :
     reach_(-1),
-    origin_(Zero),
-    width_(1),
-    n_(0, 0, 0),
-    gridStart_(1, Zero),
     start_(1, Zero)
 {
     // Every rank sees all faces and keeps those near its part of the mesh.
@@ -491,11 +523,15 @@ Foam::cghs::wallSurfaces::wallSurfaces
 
 std::size_t Foam::cghs::wallSurfaces::bytes() const
 {
-    return
-        triangles_.byteSize()
-      + sizeof(label)
-       *(
-            gridStart_.size() + gridTriangles_.size()
-          + start_.size() + candidates_.capacity()
-        );
+    std::size_t n = start_.size() + candidates_.capacity();
+
+    forAll(grids_, level)
+    {
+        if (grids_.set(level))
+        {
+            n += grids_[level].start.size() + grids_[level].triangles.size();
+        }
+    }
+
+    return triangles_.byteSize() + sizeof(label)*n;
 }
