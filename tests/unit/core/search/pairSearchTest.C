@@ -646,7 +646,10 @@ TEST_CASE("Own pairs are visited by rising first sphere", "[search]")
                 search,
                 sceneOf
                 (
-                    scattered(500, origin, vector::uniform(0.02), ratio, random),
+                    scattered
+                    (
+                        500, origin, vector::uniform(0.02), ratio, random
+                    ),
                     0,
                     random
                 )
