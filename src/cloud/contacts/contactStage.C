@@ -32,6 +32,7 @@ Foam::cghs::contactStage::contactStage
     previousDeltaT_(0),
     maxSpeed_(0),
     wallBody_(0),
+    firstGuestSlot_(0),
     nBuilds_(0),
     maxOverlap_(0)
 {}
@@ -104,8 +105,13 @@ void Foam::cghs::contactStage::rebuild(arena& parcels)
 
     if (remember_)
     {
-        relabel(parcels, formerWall);
+        memories_.end
+        (
+            parcels, search_, formerWall, wallBody_, ranks_, contacts_
+        );
     }
+
+    firstGuestSlot_ = parcels.size() + search_.nOwnPairs();
 
     // Two parcels that run or grow at each other use up the skin together
     travelled_ = 0;
@@ -263,118 +269,8 @@ void Foam::cghs::contactStage::noteIndices(const arena& parcels)
 {
     if (remember_)
     {
-        forAll(former_, i)
-        {
-            former_[i] = i;
-        }
-        formerIds_ = SubList<label>(parcels.ids, parcels.size());
+        memories_.begin(parcels, contacts_.now, ranks_, firstGuestSlot_);
     }
-}
-
-
-Foam::labelList Foam::cghs::contactStage::indicesNow
-(
-    const arena& parcels
-) const
-{
-    labelList now(formerIds_.size(), -1);
-
-    for (label i = 0; i < parcels.size(); ++i)
-    {
-        const label k = former_[i];
-
-        if (k < formerIds_.size() && formerIds_[k] == parcels.ids[i])
-        {
-            now[k] = i;
-        }
-    }
-
-    return now;
-}
-
-
-void Foam::cghs::contactStage::relabel
-(
-    const arena& parcels,
-    const label formerWall
-)
-{
-    const label nOwn = parcels.size();
-    const labelList now(indicesNow(parcels));
-
-    // Those whose parcels are both still here, counted by the first of them
-    contactList kept;
-    labelList start(nOwn + 1, Zero);
-
-    forAll(contacts_.now.contacts, i)
-    {
-        contact c = contacts_.now.contacts[i];
-        contactMemory memory = contacts_.now.memories[i];
-        const bool atWall = c.b == formerWall;
-
-        c.a = c.a < now.size() ? now[c.a] : -1;
-        c.b = atWall ? wallBody_ : c.b < now.size() ? now[c.b] : -1;
-
-        if (c.a == -1 || c.b == -1)
-        {
-            continue;
-        }
-
-        if (!atWall && c.a > c.b)
-        {
-            std::swap(c.a, c.b);
-            c.n = -c.n;
-            memory.rubbing = -memory.rubbing;
-        }
-
-        // Walls have the parcel as slot; pairs are given theirs below
-        c.slot = atWall ? c.a : -1;
-        kept.append(c, memory);
-        ++start[c.a + 1];
-    }
-
-    for (label i = 0; i < nOwn; ++i)
-    {
-        start[i + 1] += start[i];
-    }
-
-    labelList byBody(kept.contacts.size());
-    labelList next(SubList<label>(start, nOwn));
-    forAll(kept.contacts, k)
-    {
-        byBody[next[kept.contacts[k].a]++] = k;
-    }
-
-    // In the order of slots: walls first, then pairs
-    contactList& relabelled = contacts_.now;
-    relabelled.clear();
-
-    for (const label k : byBody)
-    {
-        if (kept.contacts[k].slot != -1)
-        {
-            relabelled.append(kept.contacts[k], kept.memories[k]);
-        }
-    }
-
-    label slot = nOwn;
-    search_.forOwnPairs
-    (
-        [&](const label i, const label j)
-        {
-            for (label k = start[i]; k < start[i + 1]; ++k)
-            {
-                contact& c = kept.contacts[byBody[k]];
-
-                if (c.b == j && c.slot == -1)
-                {
-                    c.slot = slot;
-                    relabelled.append(c, kept.memories[byBody[k]]);
-                }
-            }
-            ++slot;
-        }
-    );
 }
 
 

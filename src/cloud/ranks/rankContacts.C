@@ -4,8 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "rankContacts.H"
-#include "IPstream.H"
-#include "OPstream.H"
 #include "PstreamReduceOps.H"
 #include "boolList.H"
 #include "ListOps.H"
@@ -274,6 +272,7 @@ void Foam::cghs::rankContacts::borrow
             const List<sphere> spheres(is);
             const List<motion> motions(is);
             const labelList materials(is);
+            guestIds_.append(labelList(is));
 
             const label first = parcels.addGuests(spheres.size());
             m.guests = identity(spheres.size(), first);
@@ -318,7 +317,8 @@ void Foam::cghs::rankContacts::borrow
             OPstream os(Pstream::commsTypes::scheduled, m.rank);
             os  << List<sphere>(UIndirectList<sphere>(parcels.spheres, lent))
                 << List<motion>(UIndirectList<motion>(parcels.motions, lent))
-                << materialsOf(parcels, lent);
+                << materialsOf(parcels, lent)
+                << labelList(UIndirectList<label>(parcels.ids, lent));
         }
     }
 }
@@ -397,6 +397,7 @@ void Foam::cghs::rankContacts::invite
 {
     parcels.dismissGuests();
     meetingOfGuest_.clear();
+    guestIds_.clear();
     meetings_.clear();
 
     const boundBox box(boxOf(parcels));
@@ -493,6 +494,18 @@ void Foam::cghs::rankContacts::refreshSizes(arena& parcels)
 Foam::label Foam::cghs::rankContacts::bodyOf(const label guest) const
 {
     return guest < firstImage_ ? guest : images_[guest - firstImage_].body;
+}
+
+
+Foam::label Foam::cghs::rankContacts::idOf
+(
+    const arena& parcels,
+    const label body
+) const
+{
+    const label nOwn = parcels.size();
+
+    return body < nOwn ? parcels.ids[body] : guestIds_[body - nOwn];
 }
 
 
