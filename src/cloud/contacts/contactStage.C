@@ -153,7 +153,20 @@ inline void Foam::cghs::contactStage::appendIfMeeting
 }
 
 
-inline void Foam::cghs::contactStage::appendIfNear
+inline bool Foam::cghs::contactStage::near
+(
+    const sphere& a,
+    const sphere& b,
+    const scalar horizon
+) const
+{
+    const scalar gap = max(2*margin_*min(a.r, b.r), horizon);
+
+    return magSqr(b.x - a.x) < sqr(a.r + b.r + gap);
+}
+
+
+void Foam::cghs::contactStage::appendPair
 (
     const arena& parcels,
     const label i,
@@ -167,38 +180,32 @@ inline void Foam::cghs::contactStage::appendIfNear
     const sphere& a = parcels.spheres[i];
     const sphere& b = parcels.spheres[j];
 
-    const vector d(b.x - a.x);
-    const scalar sumOfRadii = a.r + b.r;
-    const scalar smaller = min(a.r, b.r);
-    const scalar gap = max(2*margin_*smaller, horizon(deltaT));
-
-    if (magSqr(d) < sqr(sumOfRadii + gap))
-    {
-        const contact c
+    const contact c
+    (
+        makeContact
         (
-            makeContact
+            i,
+            bodyOfJ,
+            contact::surfaceOf
             (
-                i,
-                bodyOfJ,
-                contact::surfaceOf
-                (
-                    contact::parcelParcel,
-                    parcels.materialOf(i),
-                    parcels.materialOf(bodyOfJ),
-                    parcels.nMaterials()
-                ),
-                slot,
-                d,
-                sumOfRadii
-            )
-        );
+                contact::parcelParcel,
+                parcels.materialOf(i),
+                parcels.materialOf(bodyOfJ),
+                parcels.nMaterials()
+            ),
+            slot,
+            b.x - a.x,
+            a.r + b.r
+        )
+    );
 
-        if (c.overlap > 2*smaller*maxOverlap_)
-        {
-            maxOverlap_ = 0.5*c.overlap/smaller;
-        }
-        appendIfMeeting(c, parcels, deltaT, log);
+    const scalar smaller = min(a.r, b.r);
+
+    if (c.overlap > 2*smaller*maxOverlap_)
+    {
+        maxOverlap_ = 0.5*c.overlap/smaller;
     }
+    appendIfMeeting(c, parcels, deltaT, log);
 }
 
 
@@ -211,13 +218,16 @@ void Foam::cghs::contactStage::findContacts
     contacts_.turnOver(remember_);
     ranks_.clearContacts(remember_);
 
+    const scalar horizon = this->horizon(deltaT);
+    const UList<sphere>& spheres = parcels.spheres;
+
     // Slots: walls by parcel, then pairs, then pairs with guests
     walls_.touch
     (
-        parcels.spheres,
+        spheres,
         wallBody_,
         margin_,
-        horizon(deltaT),
+        horizon,
         [&](contact& c)
         {
             const label material = parcels.materialOf(c.a);
@@ -229,7 +239,7 @@ void Foam::cghs::contactStage::findContacts
                 parcels.nMaterials()
             );
             maxOverlap_ =
-                max(maxOverlap_, 0.5*c.overlap/parcels.spheres[c.a].r);
+                max(maxOverlap_, 0.5*c.overlap/spheres[c.a].r);
             appendIfMeeting(c, parcels, deltaT, contacts_);
         }
     );
@@ -240,24 +250,33 @@ void Foam::cghs::contactStage::findContacts
     (
         [&](const label i, const label j)
         {
-            appendIfNear(parcels, i, j, j, slot++, deltaT, contacts_);
+            if (near(spheres[i], spheres[j], horizon))
+            {
+                appendPair(parcels, i, j, j, slot, deltaT, contacts_);
+            }
+            ++slot;
         }
     );
 
     for (const labelPair& pair : search_.guestPairs())
     {
+        const label i = pair.first();
         const label guest = pair.second();
 
-        appendIfNear
-        (
-            parcels,
-            pair.first(),
-            guest,
-            ranks_.bodyOf(guest),
-            slot++,
-            deltaT,
-            ranks_.logFor(guest, parcels.size(), contacts_)
-        );
+        if (near(spheres[i], spheres[guest], horizon))
+        {
+            appendPair
+            (
+                parcels,
+                i,
+                guest,
+                ranks_.bodyOf(guest),
+                slot,
+                deltaT,
+                ranks_.logFor(guest, parcels.size(), contacts_)
+            );
+        }
+        ++slot;
     }
 
     model_->tally().nContacts =
