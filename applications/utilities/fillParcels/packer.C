@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "packer.H"
+#include "transport.H"
 
 Foam::cghs::packer::packer
 (
@@ -13,7 +14,7 @@ Foam::cghs::packer::packer
 )
 :
     locator_(mesh),
-    walls_(mesh, wallPatches),
+    walls_(mesh, wallPatches, transport::periods(mesh)),
     random_(seed)
 {}
 

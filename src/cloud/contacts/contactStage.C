@@ -23,7 +23,7 @@ Foam::cghs::contactStage::contactStage
     remember_(model_->needsMemory()),
     anticipate_(model_->anticipates()),
     skinShare_(skinShare),
-    walls_(mesh, wallPatches),
+    walls_(mesh, wallPatches, periods),
     ranks_(periods),
     search_(layerAxis(g)),
     travelled_(GREAT),

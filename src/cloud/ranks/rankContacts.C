@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "rankContacts.H"
+#include "periodicShifts.H"
 #include "PstreamReduceOps.H"
 #include "boolList.H"
 #include "ListOps.H"
@@ -12,40 +13,6 @@ namespace Foam
 {
 namespace cghs
 {
-
-//- All sums of -1, 0 or 1 times each period but zero. With half, one of each
-//  pair of opposite ones
-static List<vector> shiftsOf(const UList<vector>& periods, const bool half)
-{
-    List<vector> sums(1, Zero);
-
-    for (const vector& period : periods)
-    {
-        List<vector> more(sums);
-        for (const vector& sum : sums)
-        {
-            more.append(sum + period);
-            more.append(sum - period);
-        }
-        sums = more;
-    }
-
-    DynamicList<vector> kept;
-    for (const vector& s : sums)
-    {
-        const bool positive =
-            s.x() > 0
-         || (s.x() == 0 && (s.y() > 0 || (s.y() == 0 && s.z() > 0)));
-
-        if (half ? positive : magSqr(s) > 0)
-        {
-            kept.append(s);
-        }
-    }
-
-    return List<vector>(std::move(kept));
-}
-
 
 static boundBox widened(const boundBox& box, const scalar by)
 {
@@ -186,7 +153,7 @@ void Foam::cghs::rankContacts::schedule
 {
     const label nRanks = Pstream::nProcs();
     const label me = Pstream::myProcNo();
-    const List<vector> shifts(shiftsOf(periods_, false));
+    const List<vector> shifts(periodicShifts(periods_, false));
 
     const auto meet = [&](const label p, const label q)
     {
@@ -259,7 +226,7 @@ void Foam::cghs::rankContacts::borrow
     const scalar reach
 )
 {
-    const List<vector> shifts(shiftsOf(periods_, false));
+    const List<vector> shifts(periodicShifts(periods_, false));
     const label nOwn = parcels.size();
 
     forAll(meetings_, mi)
@@ -341,8 +308,8 @@ void Foam::cghs::rankContacts::addImages
 
     // A pair of own parcels would be met from both its sides: half of the
     // shifts will do. A borrowed guest is seen from this side only
-    const List<vector> ownShifts(shiftsOf(periods_, true));
-    const List<vector> guestShifts(shiftsOf(periods_, false));
+    const List<vector> ownShifts(periodicShifts(periods_, true));
+    const List<vector> guestShifts(periodicShifts(periods_, false));
 
     forAll(parcels.spheres, i)
     {

@@ -5,6 +5,7 @@
 
 #include "wallSurfaces.H"
 #include "closestPoint.H"
+#include "periodicShifts.H"
 #include "Pstream.H"
 #include "pointField.H"
 #include "SubField.H"
@@ -469,7 +470,8 @@ bool Foam::cghs::wallSurfaces::touches(const sphere& s)
 Foam::cghs::wallSurfaces::wallSurfaces
 (
     const polyMesh& mesh,
-    const UList<labelPair>& patches
+    const UList<labelPair>& patches,
+    const UList<vector>& periods
 )
 :
     reach_(-1),
@@ -482,8 +484,12 @@ Foam::cghs::wallSurfaces::wallSurfaces
     box.inflate(0.1);
     DynamicList<triangle> kept;
 
+    List<vector> shifts(periodicShifts(periods, false));
+    shifts.append(vector(Zero));
+
     for (const labelPair& patch : patches)
     {
+        const auto surface = contact::surfaceType(patch.second());
         DynamicList<point> own;
         appendCorners(mesh.boundaryMesh()[patch.first()], mesh.points(), own);
 
@@ -496,22 +502,22 @@ Foam::cghs::wallSurfaces::wallSurfaces
         {
             for (label k = 0; k < corners.size(); k += 3)
             {
-                const point& a = corners[k];
-                const point& b = corners[k + 1];
-                const point& c = corners[k + 2];
-
-                if
-                (
-                    box.overlaps(boundBox(min(min(a, b), c), max(max(a, b), c)))
-                )
+                for (const vector& s : shifts)
                 {
-                    kept.append
+                    const vector a(corners[k] + s);
+                    const vector b(corners[k + 1] + s);
+                    const vector c(corners[k + 2] + s);
+
+                    if
                     (
-                        triangle
+                        box.overlaps
                         (
-                            a, b, c, contact::surfaceType(patch.second())
+                            boundBox(min(min(a, b), c), max(max(a, b), c))
                         )
-                    );
+                    )
+                    {
+                        kept.append(triangle(a, b, c, surface));
+                    }
                 }
             }
         }
