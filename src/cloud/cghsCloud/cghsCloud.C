@@ -123,7 +123,11 @@ Foam::cghs::cghsCloud::cghsCloud
 
 Foam::scalar Foam::cghs::cghsCloud::solidsDeltaT() const
 {
-    return min(maxDeltaT_, maxDisplacement_*state_.diameterTime);
+    // Parcels that do not touch may go further than their diameter
+    return
+        contacts_.needed()
+      ? min(maxDeltaT_, maxDisplacement_*state_.diameterTime)
+      : maxDeltaT_;
 }
 
 

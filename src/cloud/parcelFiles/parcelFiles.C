@@ -158,6 +158,32 @@ static void checkPlace
 }
 
 
+//- Stop if there are fields of parcels, but nothing says where these are:
+//  OpenFOAM takes that for a cloud without parcels
+static void checkPlaced(const passiveParticleCloud& files)
+{
+    const fileName folder
+    (
+        files.time().timePath()/cloud::prefix/files.name()
+    );
+
+    const auto has = [&](const char* name)
+    {
+        return isFile(folder/name, true);
+    };
+
+    if (has("d") && !has("coordinates") && !has("positions"))
+    {
+        FatalErrorInFunction
+            << folder << " has fields of parcels, but neither coordinates nor"
+            << " positions" << nl
+            << "Restore the file that is missing, make the parcels anew with"
+            << " fillParcels, or remove the folder to run without" << nl
+            << exit(FatalError);
+    }
+}
+
+
 //- The number of each parcel's material
 static labelField readMaterials
 (
@@ -202,6 +228,7 @@ void Foam::cghs::readParcels
 
     if (n == 0)
     {
+        checkPlaced(files);
         return;
     }
 

@@ -52,7 +52,8 @@ void Foam::cghs::progress::report(Ostream& os)
         markClock_ = clock;
     }
 
-    const scalar end = time_.endTime().value();
+    // The last step may end a little later
+    const scalar end = max(time_.endTime().value(), time_.value());
     const scalar share =
         (time_.value() - start_)/max(end - start_, VSMALL);
 
