@@ -335,7 +335,8 @@ Foam::label Foam::cghs::transport::settleFrom
                 keep[i] = false;
                 ++nLost;
                 ++nEscaped_;
-                massEscaped_ += parcels.motions[i].mass();
+                massEscaped_[patches.whichPatch(facei)] +=
+                    parcels.motions[i].mass();
                 break;
 
             case fate::passes:
@@ -562,7 +563,7 @@ Foam::cghs::transport::transport(const polyMesh& mesh, const dictionary& dict)
         mesh.geometricD().z() > 0
     ),
     nEscaped_(0),
-    massEscaped_(0),
+    massEscaped_(mesh.boundaryMesh().size(), Zero),
     nPenetrated_(0)
 {
     readActions(dict);

@@ -4,8 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "solidsFlux.H"
-#include "cghsCloud.H"
-#include "zeroGradientFvPatchFields.H"
+#include "arena.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -14,33 +13,6 @@ namespace cghs
 {
     defineTypeNameAndDebug(solidsFlux, 0);
     addToRunTimeSelectionTable(functionObject, solidsFlux, dictionary);
-
-
-//- An empty field that others find in the mesh
-template<class Type>
-static GeometricField<Type, fvPatchField, volMesh> cellField
-(
-    const word& name,
-    const fvMesh& mesh,
-    const dimensionSet& dimensions
-)
-{
-    return GeometricField<Type, fvPatchField, volMesh>
-    (
-        IOobject
-        (
-            name,
-            mesh.time().timeName(),
-            mesh,
-            IOobject::NO_READ,
-            IOobject::NO_WRITE
-        ),
-        mesh,
-        dimensioned<Type>(dimensions, Zero),
-        zeroGradientFvPatchField<Type>::typeName
-    );
-}
-
 } // End namespace cghs
 } // End namespace Foam
 
@@ -52,37 +24,17 @@ Foam::cghs::solidsFlux::solidsFlux
     const dictionary& dict
 )
 :
-    fvMeshFunctionObject(name, time, dict),
-    cloudName_(),
-    flux_(cellField<vector>("solidsFlux", mesh_, dimVelocity)),
-    fraction_(cellField<scalar>("solidsFraction", mesh_, dimless))
+    cloudFunctionObject(name, time, dict),
+    flux_(cellField<vector>("solidsFlux", dimVelocity)),
+    fraction_(cellField<scalar>("solidsFraction", dimless))
 {
     read(dict);
 }
 
 
-bool Foam::cghs::solidsFlux::read(const dictionary& dict)
-{
-    fvMeshFunctionObject::read(dict);
-
-    dict.readEntry("cloud", cloudName_);
-
-    if (!mesh_.foundObject<cghsCloud>(cloudName_))
-    {
-        FatalIOErrorInFunction(dict)
-            << "There is no cghsCloud called " << cloudName_ << nl
-            << "Valid choices: " << mesh_.sortedNames<cghsCloud>() << nl
-            << exit(FatalIOError);
-    }
-
-    return true;
-}
-
-
 bool Foam::cghs::solidsFlux::execute()
 {
-    const arena& parcels =
-        mesh_.lookupObject<cghsCloud>(cloudName_).parcels();
+    const arena& parcels = this->parcels();
 
     vectorField& j = flux_.primitiveFieldRef();
     scalarField& phi = fraction_.primitiveFieldRef();

@@ -1,0 +1,48 @@
+/*---------------------------------------------------------------------------*\
+    cghsFoam | coarse-grained hard spheres in OpenFOAM
+    GPL-3.0-or-later, see LICENSE
+\*---------------------------------------------------------------------------*/
+
+#include "cloudFunctionObject.H"
+#include "cghsCloud.H"
+
+Foam::cghs::cloudFunctionObject::cloudFunctionObject
+(
+    const word& name,
+    const Time& time,
+    const dictionary& dict
+)
+:
+    fvMeshFunctionObject(name, time, dict),
+    cloudName_()
+{}
+
+
+bool Foam::cghs::cloudFunctionObject::read(const dictionary& dict)
+{
+    fvMeshFunctionObject::read(dict);
+
+    dict.readEntry("cloud", cloudName_);
+
+    if (!mesh_.foundObject<cghsCloud>(cloudName_))
+    {
+        FatalIOErrorInFunction(dict)
+            << "There is no cghsCloud called " << cloudName_ << nl
+            << "Valid choices: " << mesh_.sortedNames<cghsCloud>() << nl
+            << exit(FatalIOError);
+    }
+
+    return true;
+}
+
+
+const Foam::cghs::cghsCloud& Foam::cghs::cloudFunctionObject::theCloud() const
+{
+    return mesh_.lookupObject<cghsCloud>(cloudName_);
+}
+
+
+const Foam::cghs::arena& Foam::cghs::cloudFunctionObject::parcels() const
+{
+    return theCloud().parcels();
+}

@@ -1,0 +1,279 @@
+/*---------------------------------------------------------------------------*\
+    cghsFoam | coarse-grained hard spheres in OpenFOAM
+    GPL-3.0-or-later, see LICENSE
+\*---------------------------------------------------------------------------*/
+
+#include "solidsAverages.H"
+#include "arena.H"
+#include "addToRunTimeSelectionTable.H"
+
+namespace Foam
+{
+namespace cghs
+{
+    defineTypeNameAndDebug(solidsAverages, 0);
+    addToRunTimeSelectionTable(functionObject, solidsAverages, dictionary);
+
+
+//- Take a sample into a mean, of which it then is this share
+template<class Type>
+static void addTo(Field<Type>& mean, const Field<Type>& x, const scalar share)
+{
+    mean += share*(x - mean);
+}
+
+
+//- The same with the variance about the mean, to be called before addTo
+template<class Variance, class Type>
+static void addToVariance
+(
+    Field<Variance>& variance,
+    const Field<Type>& mean,
+    const Field<Type>& x,
+    const scalar share
+)
+{
+    variance = (1 - share)*(variance + share*sqr(x - mean));
+}
+
+} // End namespace cghs
+} // End namespace Foam
+
+// * * * * * * * * * * * * * * * Construction  * * * * * * * * * * * * * * * //
+
+Foam::cghs::solidsAverages::sums::sums(const label nCells)
+:
+    fraction(nCells, Zero),
+    density(nCells, Zero),
+    flux(nCells, Zero),
+    stress(nCells, Zero)
+{}
+
+
+template<class Type>
+Foam::GeometricField<Type, Foam::fvPatchField, Foam::volMesh>
+Foam::cghs::solidsAverages::averageField
+(
+    const word& name,
+    const dimensionSet& dimensions
+) const
+{
+    return cellField<Type>(this->name() + ':' + name, dimensions);
+}
+
+
+Foam::cghs::solidsAverages::solidsAverages
+(
+    const word& name,
+    const Time& time,
+    const dictionary& dict
+)
+:
+    cloudFunctionObject(name, time, dict),
+    duration_(0),
+    fraction_(averageField<scalar>("fractionMean", dimless)),
+    fractionVariance_(averageField<scalar>("fractionPrime2Mean", dimless)),
+    density_(averageField<scalar>("densityMean", dimDensity)),
+    flux_(averageField<vector>("massFluxMean", dimDensity*dimVelocity)),
+    fluxVariance_
+    (
+        averageField<symmTensor>
+        (
+            "massFluxPrime2Mean",
+            sqr(dimDensity*dimVelocity)
+        )
+    ),
+    stress_(mesh_.nCells(), Zero),
+    inCell_(mesh_.nCells(), Zero),
+    voidage_(averageField<scalar>("voidageMean", dimless)),
+    velocity_(averageField<vector>("velocityMean", dimVelocity)),
+    velocityVariance_
+    (
+        averageField<symmTensor>("velocityPrime2Mean", sqr(dimVelocity))
+    ),
+    temperature_
+    (
+        averageField<scalar>("granularTemperature", sqr(dimVelocity))
+    ),
+    temperatureInCell_
+    (
+        averageField<scalar>("granularTemperatureInCell", sqr(dimVelocity))
+    )
+{
+    read(dict);
+
+    if (getProperty("duration", duration_))
+    {
+        resumeAll();
+    }
+}
+
+
+template<class Type>
+void Foam::cghs::solidsAverages::resume
+(
+    GeometricField<Type, fvPatchField, volMesh>& field
+) const
+{
+    const GeometricField<Type, fvPatchField, volMesh> written
+    (
+        IOobject
+        (
+            field.name(),
+            mesh_.time().timeName(),
+            mesh_,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        ),
+        mesh_
+    );
+
+    field.primitiveFieldRef() = written.primitiveField();
+}
+
+
+void Foam::cghs::solidsAverages::resumeAll()
+{
+    resume(fraction_);
+    resume(fractionVariance_);
+    resume(density_);
+    resume(flux_);
+    resume(fluxVariance_);
+    resume(velocityVariance_);
+    resume(temperatureInCell_);
+
+    const scalarField& M = density_.primitiveField();
+    const vectorField& P = flux_.primitiveField();
+
+    forAll(M, celli)
+    {
+        if (M[celli] > 0)
+        {
+            stress_[celli] =
+                M[celli]*velocityVariance_[celli] + sqr(P[celli])/M[celli];
+        }
+        inCell_[celli] = M[celli]*temperatureInCell_[celli];
+    }
+
+    Info<< type() << ' ' << name() << ": goes on with the means of "
+        << duration_ << " s" << nl << endl;
+}
+
+// * * * * * * * * * * * * * * * * The means * * * * * * * * * * * * * * * * //
+
+Foam::cghs::solidsAverages::sums Foam::cghs::solidsAverages::instant() const
+{
+    const arena& parcels = this->parcels();
+    const scalarField& V = mesh_.V();
+
+    sums s(mesh_.nCells());
+
+    for (label i = 0; i < parcels.size(); ++i)
+    {
+        const label celli = parcels.cells[i];
+        const vector& v = parcels.motions[i].v;
+        const scalar density = parcels.motions[i].mass()/V[celli];
+
+        s.fraction[celli] += parcels.volume(i)/V[celli];
+        s.density[celli] += density;
+        s.flux[celli] += density*v;
+        s.stress[celli] += density*sqr(v);
+    }
+
+    return s;
+}
+
+
+bool Foam::cghs::solidsAverages::execute()
+{
+    const sums now(instant());
+    const scalar deltaT = mesh_.time().deltaTValue();
+
+    duration_ += deltaT;
+    const scalar share = deltaT/duration_;
+
+    addToVariance
+    (
+        fractionVariance_.primitiveFieldRef(),
+        fraction_.primitiveField(),
+        now.fraction,
+        share
+    );
+    addToVariance
+    (
+        fluxVariance_.primitiveFieldRef(),
+        flux_.primitiveField(),
+        now.flux,
+        share
+    );
+    addTo(fraction_.primitiveFieldRef(), now.fraction, share);
+    addTo(density_.primitiveFieldRef(), now.density, share);
+    addTo(flux_.primitiveFieldRef(), now.flux, share);
+    addTo(stress_, now.stress, share);
+    addTo
+    (
+        inCell_,
+        scalarField
+        (
+            (tr(now.stress) - magSqr(now.flux)/max(now.density, VSMALL))/3
+        ),
+        share
+    );
+
+    return true;
+}
+
+
+void Foam::cghs::solidsAverages::deriveFields()
+{
+    voidage_.primitiveFieldRef() = 1 - fraction_.primitiveField();
+
+    forAll(density_, celli)
+    {
+        const scalar M = density_[celli];
+
+        if (M > 0)
+        {
+            const vector U(flux_[celli]/M);
+
+            velocity_[celli] = U;
+            velocityVariance_[celli] = stress_[celli]/M - sqr(U);
+            temperatureInCell_[celli] = inCell_[celli]/M;
+        }
+        temperature_[celli] = tr(velocityVariance_[celli])/3;
+    }
+}
+
+
+bool Foam::cghs::solidsAverages::write()
+{
+    deriveFields();
+
+    for
+    (
+        volScalarField* field
+      : {
+            &fraction_, &fractionVariance_, &voidage_, &density_,
+            &temperature_, &temperatureInCell_
+        }
+    )
+    {
+        field->correctBoundaryConditions();
+        field->write();
+    }
+    for (volVectorField* field : {&flux_, &velocity_})
+    {
+        field->correctBoundaryConditions();
+        field->write();
+    }
+    for (volSymmTensorField* field : {&fluxVariance_, &velocityVariance_})
+    {
+        field->correctBoundaryConditions();
+        field->write();
+    }
+
+    setProperty("duration", duration_);
+
+    return true;
+}

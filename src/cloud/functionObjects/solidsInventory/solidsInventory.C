@@ -1,0 +1,248 @@
+/*---------------------------------------------------------------------------*\
+    cghsFoam | coarse-grained hard spheres in OpenFOAM
+    GPL-3.0-or-later, see LICENSE
+\*---------------------------------------------------------------------------*/
+
+#include "solidsInventory.H"
+#include "cghsCloud.H"
+#include "PstreamReduceOps.H"
+#include "addToRunTimeSelectionTable.H"
+
+namespace Foam
+{
+namespace cghs
+{
+    defineTypeNameAndDebug(solidsInventory, 0);
+    addToRunTimeSelectionTable(functionObject, solidsInventory, dictionary);
+}
+}
+
+// * * * * * * * * * * * * * * * Construction  * * * * * * * * * * * * * * * //
+
+Foam::cghs::solidsInventory::solidsInventory
+(
+    const word& name,
+    const Time& time,
+    const dictionary& dict
+)
+:
+    cloudFunctionObject(name, time, dict),
+    writeFile(mesh_, name, typeName, dict),
+    zones_(),
+    patches_(),
+    inZone_(),
+    escaped_(),
+    now_(),
+    moments_()
+{
+    read(dict);
+}
+
+
+bool Foam::cghs::solidsInventory::read(const dictionary& dict)
+{
+    cloudFunctionObject::read(dict);
+    writeFile::read(dict);
+
+    findZones(dict);
+    findPatches(dict);
+
+    escaped_ = escapedSoFar();
+    now_ = scalarField(1 + zones_.size() + patches_.size(), Zero);
+    resume(dict);
+    openTable();
+
+    return true;
+}
+
+
+void Foam::cghs::solidsInventory::findZones(const dictionary& dict)
+{
+    const cellZoneMesh& zones = mesh_.cellZones();
+    const wordList wanted(dict.get<wordList>("cellZones"));
+
+    zones_.resize(wanted.size());
+    inZone_.resize(wanted.size());
+
+    forAll(wanted, i)
+    {
+        zones_[i] = zones.findZoneID(wanted[i]);
+
+        if (zones_[i] < 0)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry cellZones: there is no cellZone " << wanted[i] << nl
+                << "Valid choices: " << zones.names() << nl
+                << exit(FatalIOError);
+        }
+        inZone_[i] = boolList(mesh_.nCells(), false);
+        UIndirectList<bool>(inZone_[i], zones[zones_[i]]) = true;
+    }
+}
+
+
+void Foam::cghs::solidsInventory::findPatches(const dictionary& dict)
+{
+    const polyBoundaryMesh& all = mesh_.boundaryMesh();
+    const transport& stage = theCloud().transportStage();
+    const wordList wanted(dict.get<wordList>("patches"));
+
+    patches_.resize(wanted.size());
+
+    forAll(wanted, i)
+    {
+        patches_[i] = all.findPatchID(wanted[i]);
+
+        if (patches_[i] < 0 || !stage.escapes(patches_[i]))
+        {
+            DynamicList<word> valid;
+            forAll(all, patchi)
+            {
+                if (stage.escapes(patchi))
+                {
+                    valid.append(all[patchi].name());
+                }
+            }
+
+            FatalIOErrorInFunction(dict)
+                << "Entry patches: parcels do not escape through "
+                << wanted[i] << nl
+                << "Valid choices: " << valid << nl
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
+void Foam::cghs::solidsInventory::resume(const dictionary& dict)
+{
+    // The length of the step comes first
+    moments_ = blockMoments(1 + now_.size());
+
+    wordList formerNames;
+    if (!getProperty("names", formerNames))
+    {
+        return;
+    }
+
+    List<scalar> state;
+    getProperty("moments", state);
+
+    if (formerNames != names() || !moments_.setState(state))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entries cellZones and patches ask for " << names()
+            << " but until time " << mesh_.time().timeName() << " it was "
+            << formerNames << nl
+            << "Ask for the same, or rename the function object to start"
+            << " anew" << nl
+            << exit(FatalIOError);
+    }
+}
+
+
+Foam::wordList Foam::cghs::solidsInventory::names() const
+{
+    DynamicList<word> list({"mass"});
+
+    for (const label zonei : zones_)
+    {
+        list.append("mass(" + mesh_.cellZones()[zonei].name() + ')');
+    }
+    for (const label patchi : patches_)
+    {
+        list.append("outflow(" + mesh_.boundaryMesh()[patchi].name() + ')');
+    }
+
+    return wordList(std::move(list));
+}
+
+
+void Foam::cghs::solidsInventory::openTable()
+{
+    resetFile(typeName);
+
+    if (filePtr_.valid())
+    {
+        file() << "# time";
+        for (const word& name : names())
+        {
+            file() << ' ' << name << ' ' << name << "Mean "
+                << name << "Error";
+        }
+        file() << endl;
+        file().precision(writePrecision_);
+    }
+}
+
+// * * * * * * * * * * * * * * * * The sums  * * * * * * * * * * * * * * * * //
+
+Foam::scalarField Foam::cghs::solidsInventory::escapedSoFar() const
+{
+    return scalarField
+    (
+        theCloud().transportStage().massEscapedBy(),
+        patches_
+    );
+}
+
+
+bool Foam::cghs::solidsInventory::execute()
+{
+    const arena& parcels = this->parcels();
+    const scalar deltaT = mesh_.time().deltaTValue();
+
+    now_ = Zero;
+
+    for (label i = 0; i < parcels.size(); ++i)
+    {
+        const scalar mass = parcels.motions[i].mass();
+        now_[0] += mass;
+
+        forAll(inZone_, z)
+        {
+            if (inZone_[z][parcels.cells[i]])
+            {
+                now_[1 + z] += mass;
+            }
+        }
+    }
+
+    const scalarField escaped(escapedSoFar());
+    forAll(escaped, p)
+    {
+        now_[1 + zones_.size() + p] = (escaped[p] - escaped_[p])/deltaT;
+    }
+    escaped_ = escaped;
+
+    reduce(now_, sumOp<scalarField>());
+
+    scalarField sample(1 + now_.size(), deltaT);
+    forAll(now_, q)
+    {
+        sample[1 + q] = deltaT*now_[q];
+    }
+    moments_.add(sample);
+
+    return true;
+}
+
+
+bool Foam::cghs::solidsInventory::write()
+{
+    if (filePtr_.valid())
+    {
+        file() << mesh_.time().value();
+        forAll(now_, q)
+        {
+            const blockMoments::estimate mean(moments_.ratio(1 + q, 0));
+            file() << ' ' << now_[q] << ' ' << mean.value << ' ' << mean.error;
+        }
+        file() << endl;
+    }
+
+    setProperty("names", names());
+    setProperty("moments", moments_.state());
+
+    return true;
+}
