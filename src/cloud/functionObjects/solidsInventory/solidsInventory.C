@@ -27,7 +27,7 @@ Foam::cghs::solidsInventory::solidsInventory
 )
 :
     cloudFunctionObject(name, time, dict),
-    writeFile(mesh_, name, typeName, dict),
+    writeFile(mesh_, name, typeName),
     zones_(),
     patches_(),
     inZone_(),
@@ -44,13 +44,21 @@ bool Foam::cghs::solidsInventory::read(const dictionary& dict)
     cloudFunctionObject::read(dict);
     writeFile::read(dict);
 
+    if (now_.size())
+    {
+        // Read again during the run
+        keepState();
+    }
+
     findZones(dict);
     findPatches(dict);
 
-    escaped_ = escapedSoFar();
-    now_ = scalarField(1 + zones_.size() + patches_.size(), Zero);
+    if (now_.empty())
+    {
+        now_.resize(1 + zones_.size() + patches_.size(), Zero);
+        escaped_ = escapedSoFar();
+    }
     resume(dict);
-    openTable();
 
     return true;
 }
@@ -141,6 +149,13 @@ void Foam::cghs::solidsInventory::resume(const dictionary& dict)
 }
 
 
+void Foam::cghs::solidsInventory::keepState()
+{
+    setProperty("names", names());
+    setProperty("moments", moments_.state());
+}
+
+
 Foam::wordList Foam::cghs::solidsInventory::names() const
 {
     DynamicList<word> list({"mass"});
@@ -162,17 +177,13 @@ void Foam::cghs::solidsInventory::openTable()
 {
     resetFile(typeName);
 
-    if (filePtr_.valid())
+    file() << "# time";
+    for (const word& name : names())
     {
-        file() << "# time";
-        for (const word& name : names())
-        {
-            file() << ' ' << name << ' ' << name << "Mean "
-                << name << "Error";
-        }
-        file() << endl;
-        file().precision(writePrecision_);
+        file() << ' ' << name << ' ' << name << "Mean " << name << "Error";
     }
+    file() << endl;
+    file().precision(writePrecision_);
 }
 
 // * * * * * * * * * * * * * * * * The sums  * * * * * * * * * * * * * * * * //
@@ -230,8 +241,12 @@ bool Foam::cghs::solidsInventory::execute()
 
 bool Foam::cghs::solidsInventory::write()
 {
-    if (filePtr_.valid())
+    if (writeToFile())
     {
+        if (!filePtr_.valid())
+        {
+            openTable();
+        }
         file() << mesh_.time().value();
         forAll(now_, q)
         {
@@ -241,8 +256,7 @@ bool Foam::cghs::solidsInventory::write()
         file() << endl;
     }
 
-    setProperty("names", names());
-    setProperty("moments", moments_.state());
+    keepState();
 
     return true;
 }

@@ -26,7 +26,7 @@ Foam::cghs::solidsProfiles::solidsProfiles
 )
 :
     cloudFunctionObject(name, time, dict),
-    writeFile(mesh_, name, name, dict),
+    writeFile(mesh_, name, name),
     profiles_()
 {
     read(dict);
@@ -38,6 +38,8 @@ bool Foam::cghs::solidsProfiles::read(const dictionary& dict)
     cloudFunctionObject::read(dict);
     writeFile::read(dict);
 
+    // Read again during the run, these go on
+    keepState();
     profiles_.clear();
 
     for (const entry& e : dict.subDict("profiles"))
@@ -65,6 +67,15 @@ bool Foam::cghs::solidsProfiles::read(const dictionary& dict)
     }
 
     return true;
+}
+
+
+void Foam::cghs::solidsProfiles::keepState()
+{
+    for (const solidsProfile& profile : profiles_)
+    {
+        setProperty(profile.name(), profile.state());
+    }
 }
 
 
@@ -125,8 +136,8 @@ bool Foam::cghs::solidsProfiles::write()
             table->precision(writePrecision_);
             profile.write(table());
         }
-        setProperty(profile.name(), profile.state());
     }
+    keepState();
 
     return true;
 }

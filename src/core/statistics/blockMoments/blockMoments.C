@@ -127,7 +127,12 @@ Foam::cghs::blockMoments::estimate Foam::cghs::blockMoments::function
     }
 
     scalar largest = single;
-    for (label l = 1; l < levels_.size() && levels_[l].nBlocks > 1; ++l)
+    for
+    (
+        label l = 1;
+        l < levels_.size() && levels_[l].nBlocks >= minBlocks;
+        ++l
+    )
     {
         const scalar joined = levels_[l].squaredError(gradient);
 
@@ -135,10 +140,7 @@ Foam::cghs::blockMoments::estimate Foam::cghs::blockMoments::function
         {
             return {value, std::sqrt(joined), true};
         }
-        if (levels_[l].nBlocks >= 8)
-        {
-            largest = max(largest, joined);
-        }
+        largest = max(largest, joined);
     }
 
     return {value, std::sqrt(largest), false};
