@@ -52,6 +52,19 @@ Foam::scalar Foam::cghs::cghsCloud::largestDiameter() const
 }
 
 
+Foam::scalar Foam::cghs::cghsCloud::largestSpeed() const
+{
+    scalar speed = 0;
+
+    for (label i = 0; i < parcels_.size(); ++i)
+    {
+        speed = max(speed, mag(parcels_.motions[i].v));
+    }
+
+    return returnReduce(speed, maxOp<scalar>());
+}
+
+
 Foam::cghs::cghsCloud::cghsCloud
 (
     const fvMesh& mesh,
@@ -117,6 +130,7 @@ Foam::cghs::cghsCloud::cghsCloud
     }
 
     state_ = transport_.survey(parcels_);
+    contacts_.expect(largestSpeed());
 }
 
 // * * * * * * * * * * * * * * * * The step  * * * * * * * * * * * * * * * * //
