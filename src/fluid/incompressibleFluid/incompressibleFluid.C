@@ -6,7 +6,6 @@
 #include "incompressibleFluid.H"
 #include "fvm.H"
 #include "fvc.H"
-#include "fvcReconstruct.H"
 #include "fvcFlux.H"
 #include "constrainHbyA.H"
 #include "constrainPressure.H"
@@ -104,6 +103,7 @@ Foam::cghs::incompressibleFluid::incompressibleFluid
 )
 :
     mesh_(mesh),
+    reconstruct_(mesh),
     piso_(mesh),
     g_(g),
     minVoidage_(minVoidage),
@@ -140,7 +140,7 @@ Foam::cghs::incompressibleFluid::incompressibleFluid
     gradP_
     (
         "gradP",
-        rho_*fvc::reconstruct(fvc::snGrad(p_)*mesh.magSf())
+        rho_*reconstruct_(fvc::snGrad(p_)*mesh.magSf())
     ),
     gradP0_("gradP0", gradP_),
     pRefCell_(0),
@@ -291,7 +291,7 @@ void Foam::cghs::incompressibleFluid::correctPressure
             takeFromPatches(phi_, U_, p_);
             alphaPhi_ = alphaf_*phi_;
 
-            U_ = HbyA + rAU*fvc::reconstruct((gravity - pFlux)/rAUf);
+            U_ = HbyA + rAU*reconstruct_((gravity - pFlux)/rAUf);
             U_.correctBoundaryConditions();
         }
     }
@@ -341,7 +341,7 @@ void Foam::cghs::incompressibleFluid::solve
         (
             UEqn
          ==
-            fvc::reconstruct
+            reconstruct_
             (
                 gravity/rAUf - alphaf_*fvc::snGrad(p_)*mesh_.magSf()
             )
@@ -355,7 +355,7 @@ void Foam::cghs::incompressibleFluid::solve
 
     turbulence_->correct();
 
-    gradP_ = rho_*fvc::reconstruct(fvc::snGrad(p_)*mesh_.magSf());
+    gradP_ = rho_*reconstruct_(fvc::snGrad(p_)*mesh_.magSf());
 }
 
 
