@@ -85,7 +85,12 @@ int main(int argc, char *argv[])
 
         // ---- Parcels: suspension, contact, transport ----------------------
 
-        if (withFluid)
+        // Where there are none, nothing is exchanged. Those that leave in this
+        // step still are in it, and the first sets right a voidage read.
+        const bool first = runTime.timeIndex() == runTime.startTimeIndex() + 1;
+        const bool suspended = withFluid && (first || !parcels.empty());
+
+        if (suspended)
         {
             parcels.meetFluid
             (
@@ -102,7 +107,7 @@ int main(int argc, char *argv[])
 
         // ---- Fluid: voidage, momentum, pressure ---------------------------
 
-        if (twoWay)
+        if (suspended && twoWay)
         {
             fluid->setSolids(parcels.solidsFraction());
             fluid->solve(parcels.drag(deltaT), parcels.dragResponse());
@@ -115,7 +120,7 @@ int main(int argc, char *argv[])
 
         // ---- Parcels: what the fluid did with their impulse ---------------
 
-        if (withFluid)
+        if (suspended)
         {
             parcels.completeStep(fluid->dU(), fluid->dGradP(), deltaT);
         }

@@ -137,12 +137,7 @@ Foam::cghs::incompressibleFluid::incompressibleFluid
         positiveDimensioned(transport_, "rho", dimDensity)
     ),
     mu_("mu", rho_*transport_.nu()),
-    gradP_
-    (
-        "gradP",
-        rho_*reconstruct_(fvc::snGrad(p_)*mesh.magSf())
-    ),
-    gradP0_("gradP0", gradP_),
+    gradP_("gradP", gradPNow()),
     pRefCell_(0),
     pRefValue_(0),
     nClipped_(0),
@@ -295,40 +290,25 @@ void Foam::cghs::incompressibleFluid::correctPressure
             U_.correctBoundaryConditions();
         }
     }
-
-    continuityError_ =
-        gMax
-        (
-            mag(fvc::ddt(alpha_) + fvc::div(alphaPhi_))().primitiveField()
-        )
-       *mesh_.time().deltaTValue();
 }
 
 
-void Foam::cghs::incompressibleFluid::solve
-(
-    const volVectorField& drag,
-    const volScalarField& response
-)
+Foam::tmp<Foam::fvVectorMatrix>
+Foam::cghs::incompressibleFluid::momentumEquation()
 {
-    addProfiling(fluid, "cghs::fluid");
-
     transport_.correct();
     mu_ = rho_*transport_.nu();
-    gradP0_ = gradP_;
 
-    const volScalarField R("dragResponseByRho", response/rho_);
-
-    fvVectorMatrix UEqn
-    (
+    return
         fvm::ddt(alpha_, U_)
       + fvm::div(alphaPhi_, U_)
       - fvm::Sp(fvc::ddt(alpha_) + fvc::div(alphaPhi_), U_)
-      + turbulence_->divDevRhoReff(U_)
-      + fvm::Sp(R, U_)
-     ==
-        R*U_.oldTime() - drag/rho_
-    );
+      + turbulence_->divDevRhoReff(U_);
+}
+
+
+void Foam::cghs::incompressibleFluid::solve(fvVectorMatrix& UEqn)
+{
     UEqn.relax();
 
     const volScalarField rAU("rAU", 1/UEqn.A());
@@ -353,19 +333,56 @@ void Foam::cghs::incompressibleFluid::solve
         correctPressure(UEqn, rAU, rAUf, gravity);
     }
 
-    turbulence_->correct();
+    continuityError_ =
+        gMax
+        (
+            mag(fvc::ddt(alpha_) + fvc::div(alphaPhi_))().primitiveField()
+        )
+       *mesh_.time().deltaTValue();
 
-    gradP_ = rho_*reconstruct_(fvc::snGrad(p_)*mesh_.magSf());
+    turbulence_->correct();
+}
+
+
+void Foam::cghs::incompressibleFluid::solve
+(
+    const volVectorField& drag,
+    const volScalarField& response
+)
+{
+    addProfiling(fluid, "cghs::fluid");
+
+    const volScalarField R("dragResponseByRho", response/rho_);
+
+    fvVectorMatrix UEqn
+    (
+        momentumEquation() + fvm::Sp(R, U_) == R*U_.oldTime() - drag/rho_
+    );
+    solve(UEqn);
 }
 
 
 void Foam::cghs::incompressibleFluid::solve()
 {
-    solve
-    (
-        volVectorField("drag", 0*gradP_),
-        volScalarField("response", 0*rho_/mesh_.time().deltaT())
-    );
+    addProfiling(fluid, "cghs::fluid");
+
+    tmp<fvVectorMatrix> UEqn(momentumEquation());
+    solve(UEqn.ref());
+}
+
+
+Foam::tmp<Foam::volVectorField>
+Foam::cghs::incompressibleFluid::gradPNow() const
+{
+    return rho_*reconstruct_(fvc::snGrad(p_)*mesh_.magSf());
+}
+
+
+const Foam::volVectorField& Foam::cghs::incompressibleFluid::gradP()
+{
+    gradP_ = gradPNow();
+
+    return gradP_;
 }
 
 
@@ -379,5 +396,5 @@ Foam::cghs::incompressibleFluid::dU() const
 Foam::tmp<Foam::volVectorField>
 Foam::cghs::incompressibleFluid::dGradP() const
 {
-    return gradP_ - gradP0_;
+    return gradPNow() - gradP_;
 }
