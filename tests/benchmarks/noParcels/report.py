@@ -13,41 +13,52 @@ from pathlib import Path
 sys.path.append(os.environ["PROJECT_DIR"] + "/tests/benchmarks/lib")
 import measure as ms
 
-CELLS = 15 * 15 * 90
+# Number of cells, figure
+CASES = {
+    "duct": (15 * 15 * 90, "noParcels.ratioToPimpleFoam"),
+    "jet": (25200, "noParcels.jetRatioToPimpleFoam"),
+}
+SOLVERS = ("pimpleFoam", "cghsFoam")
 ROUNDS = range(1, 6)
 
-logs = {
-    solver: [ms.Log(f"log.{solver}-{r}") for r in ROUNDS]
-    for solver in ("pimpleFoam", "cghsFoam")
-}
-cost = {s: [log.cpu_per_step for log in logs[s]] for s in logs}
 
-
-def sweeps(solver):
+def sweeps(case, solver, n_steps):
     """Iterations of the pressure solver a step."""
-    text = Path(f"log.{solver}-1").read_text()
+    text = Path(f"log.{case}-{solver}-1").read_text()
     found = re.findall(r"for p, .*No Iterations (\d+)", text)
-    return sum(map(int, found)) / len(logs[solver][0].cpu)
+    return sum(map(int, found)) / n_steps
 
 
-print(f"\n    {'':12s} {'us/cell-step':>13s} {'noise':>7s}", end="")
-print(f" {'pressure iterations a step':>27s}")
-for solver, values in cost.items():
-    print(
-        f"    {solver:12s} {1e6*ms.median(values)/CELLS:13.3f}"
-        f" {ms.spread(values):6.1f}% {sweeps(solver):27.1f}"
-    )
+def report(case, cells):
+    """Prints the table of a case, returns the ratio of the medians."""
+    logs = {
+        solver: [ms.Log(f"log.{case}-{solver}-{r}") for r in ROUNDS]
+        for solver in SOLVERS
+    }
+    cost = {s: [log.cpu_per_step for log in logs[s]] for s in logs}
+
+    print(f"\n    {case:12s} {'us/cell-step':>13s} {'noise':>7s}", end="")
+    print(f" {'pressure iterations a step':>27s}")
+    for solver, values in cost.items():
+        print(
+            f"    {solver:12s} {1e6*ms.median(values)/cells:13.3f}"
+            f" {ms.spread(values):6.1f}%"
+            f" {sweeps(case, solver, len(logs[solver][0].cpu)):27.1f}"
+        )
+
+    print()
+    log = logs["cghsFoam"][0]
+    profiles = [
+        ms.Profile(f"{case}-cghsFoam-{r}", log)
+        for r, log in zip(ROUNDS, logs["cghsFoam"])
+    ]
+    ms.print_stages(profiles, 0, cells, 0, len(log.cpu))
+
+    return ms.median(cost["cghsFoam"]) / ms.median(cost["pimpleFoam"])
+
+
+ratios = {case: report(case, cells) for case, (cells, _) in CASES.items()}
 
 print()
-log = logs["cghsFoam"][0]
-profiles = [
-    ms.Profile(f"cghsFoam-{r}", log)
-    for r, log in zip(ROUNDS, logs["cghsFoam"])
-]
-ms.print_stages(profiles, 0, CELLS, 0, len(log.cpu))
-print()
-
-ms.figure(
-    "noParcels.ratioToPimpleFoam",
-    ms.median(cost["cghsFoam"]) / ms.median(cost["pimpleFoam"]),
-)
+for case, (_, figure) in CASES.items():
+    ms.figure(figure, ratios[case])
