@@ -154,7 +154,7 @@ class Jet:
             about = (share > 0.3) & (share < 0.7)
             if about.sum() > 5:
                 slope, level = np.polyfit(r[about]**2, np.log(share[about]), 1)
-                self.half[i] = np.sqrt((-np.log(2) - level) / slope)
+                self.half[i] = np.sqrt(max((-np.log(2) - level) / slope, 0))
 
         similar = (self.x > SIMILAR[0]) & (self.x < SIMILAR[1])
         slope, level = np.polyfit(self.x[similar], 1/self.axis[similar], 1)
