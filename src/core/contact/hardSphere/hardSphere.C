@@ -47,12 +47,6 @@ namespace cghs
                 {
                     k.en = scaling->ofParcel(surface, k.en, parcelWeight);
                 }
-                if (type == contact::parcelMirror)
-                {
-                    k.mu = 0;
-                    k.rolling = 0;
-                }
-
                 return k;
             }
         );

@@ -110,12 +110,6 @@ Foam::cghs::softSphere::readTable
             springCoeffs k(springOf(e, mu));
             k.rolling = rollingFrictionFrom(surface);
 
-            if (type == contact::parcelMirror)
-            {
-                k.mu = 0;
-                k.rolling = 0;
-            }
-
             return k;
         }
     );

@@ -4,11 +4,10 @@
 \*---------------------------------------------------------------------------*/
 
 #include "accumulatedImpulse.H"
-#include "checkedEntry.H"
+#include "frictionEntries.H"
 #include "impulseKernels.H"
 #include "addToRunTimeSelectionTable.H"
 
-#include <algorithm>
 #include <numeric>
 
 namespace Foam
@@ -140,9 +139,7 @@ void Foam::cghs::accumulatedImpulse::resistRolling
     const impactTable& coeffs
 ) const
 {
-    const auto rolls = [](const impactCoeffs& k) { return k.rolling > 0; };
-
-    if (!std::any_of(coeffs.begin(), coeffs.end(), rolls))
+    if (!anyOf(coeffs, [](const impactCoeffs& k) { return k.rolling > 0; }))
     {
         return;
     }
