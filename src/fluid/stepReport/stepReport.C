@@ -99,7 +99,7 @@ void Foam::cghs::stepReport::writeRow
 void Foam::cghs::stepReport::write
 (
     Ostream& os,
-    const autoPtr<incompressibleFluid>& fluid
+    const autoPtr<fluidModel>& fluid
 )
 {
     addProfiling(report, "cghs::report");
@@ -120,9 +120,7 @@ void Foam::cghs::stepReport::write
 
     if (fluid.valid())
     {
-        os  << "fluid:  Courant number " << fluid->courantNumber()
-            << ", volume defect " << defect << ", voidage clipped in "
-            << nClipped << " cells" << nl;
+        fluid->report(os);
     }
 
     writeRow(c, log, nClipped, defect);
