@@ -84,6 +84,9 @@ class Riser:
         self.inlet_pressure = self._at_steps("inletPressure")
         self.outlet_pressure = self._at_steps("outletPressure")
         self.pressure_drop = self.inlet_pressure - self.outlet_pressure
+        _, rows = self._probes()
+        self.top_pressure = np.interp(self.time, rows[:, 0], rows[:, -1])
+        self.exit_drop = self.top_pressure - self.outlet_pressure
         self.gas_in = (-self._at_steps("inletFlow")
                        - self._at_steps("sideInletFlow"))
         self.gas_out = self._at_steps("outletFlow")
@@ -127,6 +130,13 @@ class Riser:
         return (edges[1:] - 0.5*step,
                 np.diff(np.interp(edges, self.time, total))/step)
 
+    def gas_defect(self):
+        """What of the gas has come from nowhere, over what has entered: steps
+        are implicit, so that flows hold for the step before their time."""
+        gained = self.gas_mass[-1] - self.gas_mass[0]
+        flowed = ((self.gas_in - self.gas_out)*self.dt)[1:].sum()
+        return abs(gained - flowed)/(self.gas_in*self.dt)[1:].sum()
+
     # Profiles that solidsProfiles has made
 
     def profile(self, name):
@@ -138,7 +148,7 @@ class Riser:
         if not files:
             return None
         lines = files[-1].read_text().splitlines()
-        head = [line for line in lines if line.startswith("#")][-1]
+        head = [line for line in lines if line.lstrip().startswith("#")][-1]
         return dict(zip(head.lstrip("# ").split(), of.table(files[-1]).T))
 
     def part_fraction(self, part):
@@ -153,8 +163,8 @@ class Riser:
 
     # The taps along the wall
 
-    def taps(self):
-        """Heights, mean pressures over that of the outlet, errors."""
+    def _probes(self):
+        """Heights of the probes, and rows of times and pressures there."""
         files = sorted((self.case / "postProcessing" / "taps").glob("*/p"),
                        key=lambda path: float(path.parent.name))
         lines = files[0].read_text().splitlines()
@@ -163,7 +173,13 @@ class Riser:
         rows = np.empty((0, z.size + 1))
         for path in files:
             new = of.table(path)
-            rows = np.vstack([rows[rows[:, 0] < new[0, 0]], new])
+            if new.size:
+                rows = np.vstack([rows[rows[:, 0] < new[0, 0]], new])
+        return z, rows
+
+    def taps(self):
+        """Heights, mean pressures over that of the outlet, errors."""
+        z, rows = self._probes()
         late = rows[rows[:, 0] > self.window[0]][:, 1:]
 
         def blocks(n):
@@ -213,11 +229,26 @@ class Riser:
 
     # What the pressure drop is made of
 
-    def expected_drop(self):
-        """Weight of solids and gas over the area, mean and error [Pa]."""
+    def weight_drop(self):
+        """Weight of the solids and the gas in the riser over its area, and its
+        error [Pa]. What is in the side pipes, by their share of the mean, lies
+        on their floors."""
         mean, error = self.mean(self.mass + self.gas_mass)
-        return mean*self.g/AREA, error*self.g/AREA
+        share = self.share_in_riser()
+        return share*mean*self.g/AREA, share*error*self.g/AREA
 
-    def expected_inventory(self):
-        """Solids if Table 5's pressure drop were nothing but weight [kg]."""
-        return (INLET_PRESSURE - OUTLET_PRESSURE)*AREA/self.g
+    def share_in_riser(self):
+        """Of the solids, in the mean."""
+        centre = self.field("C")
+        mass = self.field("solidsAverages:densityMean")*self.field("V")
+        inside = np.hypot(centre[:, 0], centre[:, 1]) < RADIUS
+        return mass[inside].sum()/mass.sum()
+
+    def momentum_drop(self):
+        """Momentum that the solids carry up the middle of the riser, and leave
+        at its top [Pa]."""
+        height = self.profile("height")
+        low, high = PARTS["middle"]
+        inside = ((height["coordinate"] > low)
+                  & (height["coordinate"] < high))
+        return (height["massFluxZ"]*height["velocityZ"])[inside].mean()
