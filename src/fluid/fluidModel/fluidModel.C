@@ -11,6 +11,7 @@
 #include "constrainPressure.H"
 #include "fixedFluxPressureFvPatchScalarField.H"
 #include "checkedEntry.H"
+#include "localIOdictionary.H"
 #include "profiling.H"
 
 namespace Foam
@@ -66,7 +67,8 @@ Foam::cghs::fluidModel::fluidModel
 (
     fvMesh& mesh,
     const dimensionedVector& g,
-    const cghsCloud& parcels
+    const cghsCloud& parcels,
+    const dimensionSet& pressure
 )
 :
     mesh_(mesh),
@@ -113,6 +115,7 @@ Foam::cghs::fluidModel::fluidModel
     ),
     alphaf_("alphaf", fvc::interpolate(alpha_))
 {
+    checkPressure(pressure);
     mesh_.setFluxRequired(p_.name());
 
     // An old value is only kept from now on if it is asked for now
@@ -121,20 +124,35 @@ Foam::cghs::fluidModel::fluidModel
 }
 
 
-void Foam::cghs::fluidModel::checkPressure
-(
-    const dimensionSet& wanted,
-    const string& what
-) const
+Foam::dictionary Foam::cghs::fluidModel::fileOf(const volScalarField& field)
+{
+    return localIOdictionary
+    (
+        IOobject
+        (
+            field.name(),
+            field.time().timeName(),
+            field.mesh(),
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        ),
+        field.type()
+    );
+}
+
+
+void Foam::cghs::fluidModel::checkPressure(const dimensionSet& wanted) const
 {
     if (p_.dimensions() != wanted)
     {
-        FatalIOErrorInFunction(IOdictionary(p_))
-            << "Entry dimensions is " << p_.dimensions() << " but a fluid "
-            << type() << " takes " << what << ", " << wanted << nl
-            << "Mend p, or choose another fluid in the subdictionary solution"
-            << " of the cloud's properties. Valid choices:" << nl
-            << cloudConstructorTablePtr_->sortedToc() << nl
+        FatalIOErrorInFunction(fileOf(p_))
+            << "Entry dimensions is " << p_.dimensions()
+            << " but must be " << wanted << " for the "
+            << typeName << " that is chosen" << nl
+            << "Mend p, or choose another " << typeName
+            << " in the solution of the cloud's properties: incompressible"
+            << " takes p over the density, isothermalGas p" << nl
             << exit(FatalIOError);
     }
 }
