@@ -48,7 +48,7 @@ void Foam::cghs::stepReport::writeRow
 (
     const census& c,
     const stepLog& log,
-    const label nClipped,
+    const label nCrowded,
     const scalar continuityError
 )
 {
@@ -84,7 +84,7 @@ void Foam::cghs::stepReport::writeRow
         << token::SPACE << log.maxOverlap
         << token::SPACE << log.correctionWork
         << token::SPACE << log.nSolidsSteps
-        << token::SPACE << nClipped
+        << token::SPACE << nCrowded
         << token::SPACE << continuityError
         << token::SPACE << escaped << nl;
 
@@ -106,7 +106,7 @@ void Foam::cghs::stepReport::write
     const census c(parcels_.count());
     const stepLog& log = parcels_.log();
 
-    const label nClipped = fluid.valid() ? fluid->nClipped() : 0;
+    const label nCrowded = fluid.valid() ? log.nCrowdedCells : 0;
     const scalar defect = fluid.valid() ? fluid->continuityError() : 0;
 
     os  << "solids: " << log.nSolidsSteps << " steps of at least "
@@ -119,9 +119,9 @@ void Foam::cghs::stepReport::write
     if (fluid.valid())
     {
         os  << "fluid:  Courant number " << fluid->courantNumber()
-            << ", volume defect " << defect << ", voidage clipped in "
-            << nClipped << " cells" << nl;
+            << ", volume defect " << defect << ", voidage bounded in "
+            << nCrowded << " cells" << nl;
     }
 
-    writeRow(c, log, nClipped, defect);
+    writeRow(c, log, nCrowded, defect);
 }
