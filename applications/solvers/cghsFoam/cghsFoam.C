@@ -83,7 +83,9 @@ int main(int argc, char *argv[])
         const scalar deltaT = runTime.deltaTValue();
 
 
-        // ---- Parcels: suspension, contact, transport ----------------------
+        // ---- Parcels: feeding, suspension, contact, transport -------------
+
+        parcels.exchange(deltaT);
 
         // Where there are none, nothing is exchanged. Those that leave in this
         // step still are in it, and the first sets right a voidage read.

@@ -76,17 +76,14 @@ void Foam::cghs::suspension::meet
 {
     fluid_ = std::move(byCell);
 
-    if (kernels_)
+    if (!kernels_)
     {
-        kernels_->rings().fetch(fluid_);
-        meet(parcels, 0);
+        return;
     }
-}
 
+    kernels_->rings().fetch(fluid_);
 
-void Foam::cghs::suspension::meet(const arena& parcels, const label from)
-{
-    for (label i = from; kernels_ && i < parcels.size(); ++i)
+    for (label i = 0; i < parcels.size(); ++i)
     {
         met_[i] = read(fluid_, parcels, i);
         taken_[i] = Zero;

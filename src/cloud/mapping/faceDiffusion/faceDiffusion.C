@@ -45,7 +45,7 @@ Foam::cghs::faceDiffusion::faceDiffusion(const fvMesh& mesh)
             false
         ),
         mesh,
-        dimensionedScalar(dimless, GREAT)
+        dimensionedScalar("limit", dimless, GREAT)
     )
 {
     // Conductance per unit of pseudo-time, until the step is known
