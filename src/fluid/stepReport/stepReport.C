@@ -99,7 +99,7 @@ void Foam::cghs::stepReport::writeRow
 void Foam::cghs::stepReport::write
 (
     Ostream& os,
-    const autoPtr<incompressibleFluid>& fluid
+    const autoPtr<fluidModel>& fluid
 )
 {
     addProfiling(report, "cghs::report");
@@ -115,14 +115,13 @@ void Foam::cghs::stepReport::write
         << c.nParcels << " parcels, " << c.mass << " kg" << nl
         << "        granular temperature " << c.granularTemperature()
         << ", largest overlap " << 100*log.maxOverlap
-        << " % of d, correction work " << log.correctionWork << " J" << nl;
+        << " % of d, correction work " << log.correctionWork << " J, "
+        << log.nCrowdedCells << " cells too full" << nl;
     parcels_.reportFeeding(os);
 
     if (fluid.valid())
     {
-        os  << "fluid:  Courant number " << fluid->courantNumber()
-            << ", volume defect " << defect << ", voidage bounded in "
-            << nCrowded << " cells" << nl;
+        fluid->report(os);
     }
 
     writeRow(c, log, nCrowded, defect);
