@@ -98,6 +98,11 @@ class Case:
             for name, value in parameters.items():
                 file.write(f"{name:<19} {foam(value)};\n")
 
+    def append(self, path, text):
+        """Add to a file of the case; entries of dictionaries merge."""
+        with open(self.folder / path, "a") as file:
+            file.write(text + "\n")
+
     def run(self, *command):
         run(self.folder, *command)
 

@@ -6,9 +6,9 @@ Application
     cghsFoam
 
 Description
-    Transient solver for fluidised beds: an incompressible fluid in the
-    voidage of parcels that truly collide (coarse-grained, time-driven hard
-    spheres with correction), see doc/theory.md.
+    Transient solver for fluidised beds: a liquid or a gas in the voidage of
+    parcels that truly collide (coarse-grained, time-driven hard spheres with
+    correction), see doc/theory.md.
 
 Usage
     cghsFoam [-cloud name]
@@ -22,7 +22,7 @@ Usage
 #include "fvCFD.H"
 #include "profiling.H"
 #include "cghsCloud.H"
-#include "incompressibleFluid.H"
+#include "fluidModel.H"
 #include "progress.H"
 #include "stepReport.H"
 
@@ -33,7 +33,7 @@ int main(int argc, char *argv[])
     argList::addNote
     (
         "Transient solver for fluidised beds of colliding, coarse-grained"
-        " parcels in an incompressible fluid."
+        " parcels in a liquid or gas."
     );
     argList::addOption("cloud", "name", "name of the cloud, default parcels");
 
@@ -53,10 +53,7 @@ int main(int argc, char *argv[])
 
     // ---- The fluid, if there is one ---------------------------------------
 
-    autoPtr<incompressibleFluid> fluid
-    (
-        incompressibleFluid::New(mesh, g, parcels)
-    );
+    autoPtr<fluidModel> fluid(fluidModel::New(mesh, g, parcels));
     const bool withFluid = fluid.valid();
 
     stepReport report(parcels, runTime);
@@ -83,7 +80,9 @@ int main(int argc, char *argv[])
         const scalar deltaT = runTime.deltaTValue();
 
 
-        // ---- Parcels: suspension, contact, transport ----------------------
+        // ---- Parcels: feeding, suspension, contact, transport -------------
+
+        parcels.exchange(deltaT);
 
         // Where there are none, nothing is exchanged. Those that leave in this
         // step still are in it, and the first sets right a voidage read.

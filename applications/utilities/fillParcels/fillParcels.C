@@ -63,8 +63,7 @@ Usage
 #include "parcelFiles.H"
 #include "cloudProperties.H"
 #include "checkedEntry.H"
-#include "distributionModel.H"
-#include "fixedValue.H"
+#include "particleSizes.H"
 #include "IOdictionary.H"
 #include "mathematicalConstants.H"
 
@@ -130,47 +129,6 @@ static boundBox boxOf(const dictionary& region)
 }
 
 
-//- Where the diameters of a region come from
-static autoPtr<distributionModel> sizesOf
-(
-    const dictionary& region,
-    const constants& parcel,
-    Random& random
-)
-{
-    if (region.found("sizeDistribution"))
-    {
-        return
-            distributionModel::New(region.subDict("sizeDistribution"), random);
-    }
-
-    dictionary dict;
-    dict.add("value", parcel.diameter());
-    return autoPtr<distributionModel>
-    (
-        new distributionModels::fixedValue(dict, random)
-    );
-}
-
-
-//- Draw a diameter [m]
-static scalar drawOne(const dictionary& region, const distributionModel& sizes)
-{
-    const scalar d = sizes.sample();
-
-    if (!(d > 0))
-    {
-        FatalIOErrorInFunction(region)
-            << "The sizeDistribution gave a diameter of " << d
-            << " but diameters must be greater than zero" << nl
-            << "Raise its smallest value" << nl
-            << exit(FatalIOError);
-    }
-
-    return d;
-}
-
-
 //- Stop if a region asks for more than it can hold
 static void checkFraction
 (
@@ -202,7 +160,7 @@ static DynamicList<scalar> draw
     const dictionary& region,
     const scalar room,
     const constants& parcel,
-    const distributionModel& sizes
+    const particleSizes& sizes
 )
 {
     const label nGiven =
@@ -225,7 +183,7 @@ static DynamicList<scalar> draw
 
         for (label i = 0; i < n; ++i)
         {
-            diameters.append(drawOne(region, sizes));
+            diameters.append(sizes.draw());
         }
         return diameters;
     }
@@ -240,7 +198,7 @@ static DynamicList<scalar> draw
     scalar missing = solids;
     while (missing > 0)
     {
-        const scalar d = drawOne(region, sizes);
+        const scalar d = sizes.draw();
 
         // The last one, if that comes nearer
         if (parcel.volume(d) < 2*missing)
@@ -266,8 +224,8 @@ static void plan
 )
 {
     const scalar room = volumeOf(mesh, boxOf(region));
-    const autoPtr<distributionModel> sizes(sizesOf(region, parcel, random));
-    DynamicList<scalar> diameters(draw(region, room, parcel, sizes()));
+    const particleSizes sizes(region, parcel, random);
+    DynamicList<scalar> diameters(draw(region, room, parcel, sizes));
 
     std::sort(diameters.begin(), diameters.end(), std::greater<scalar>());
 

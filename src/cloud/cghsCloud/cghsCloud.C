@@ -6,10 +6,12 @@
 #include "cghsCloud.H"
 #include "cloudProperties.H"
 #include "parcelFiles.H"
+#include "flowState.H"
 #include "checkedEntry.H"
 #include "profiling.H"
 #include "zeroGradientFvPatchFields.H"
 #include "PstreamReduceOps.H"
+#include "SubField.H"
 #include "Time.H"
 
 namespace Foam
@@ -48,7 +50,45 @@ Foam::scalar Foam::cghs::cghsCloud::largestDiameter() const
         d = max(d, 2*parcels_.spheres[i].r);
     }
 
-    return returnReduce(d, maxOp<scalar>());
+    return max(returnReduce(d, maxOp<scalar>()), feeding_.largestDiameter());
+}
+
+
+void Foam::cghs::cghsCloud::makeValves()
+{
+    const dictionary& boundary = properties_.subDict("boundary");
+
+    for (const label patchi : transport_.patchesOf(transport::action::valve))
+    {
+        const word& name = mesh_.boundaryMesh()[patchi].name();
+
+        if (!boundary.isDict(name))
+        {
+            FatalIOErrorInFunction(boundary)
+                << "Patch " << name << " is an inventoryValve, but has no"
+                << " inventory" << nl << "Write "
+                << name << " { type inventoryValve; inventory <kg>; }" << nl
+                << exit(FatalIOError);
+        }
+
+        valves_.append
+        (
+            new inventoryValve(boundary.subDict(name), mesh_, patchi)
+        );
+    }
+}
+
+
+Foam::scalar Foam::cghs::cghsCloud::mass() const
+{
+    scalar mass = 0;
+
+    for (label i = 0; i < parcels_.size(); ++i)
+    {
+        mass += parcels_.motions[i].mass();
+    }
+
+    return returnReduce(mass, sumOp<scalar>());
 }
 
 
@@ -108,8 +148,16 @@ Foam::cghs::cghsCloud::cghsCloud
         transport_.wallPatches(),
         transport::periods(mesh),
         g
-    )
+    ),
+    feeding_(properties_, parcels_.nMaterials(), mesh)
 {
+    makeValves();
+
+    if (feeding_.recycling())
+    {
+        transport_.keepDepartures();
+    }
+
     if (contacts_.remembers())
     {
         parcels_.add(contacts_.formerIndices());
@@ -123,6 +171,7 @@ Foam::cghs::cghsCloud::cghsCloud
 
     readParcels(mesh, name, parcels_);
     transport_.constrain(parcels_);
+    setFlows(readFlows(mesh, name));
 
     if (coupling_ != couplingType::none)
     {
@@ -157,6 +206,13 @@ void Foam::cghs::cghsCloud::fall(const scalar deltaT)
 void Foam::cghs::cghsCloud::startAfresh()
 {
     contacts_.noteIndices(parcels_);
+    settle();
+    feeding_.recycle(transport_);
+}
+
+
+void Foam::cghs::cghsCloud::settle()
+{
     transport_.settle(parcels_);
 
     if (contacts_.needed())
@@ -165,6 +221,66 @@ void Foam::cghs::cghsCloud::startAfresh()
     }
 
     state_.crossed = false;
+}
+
+
+bool Foam::cghs::cghsCloud::findLeaving(labelList& exits) const
+{
+    if (valves_.empty())
+    {
+        return false;
+    }
+
+    const scalar before = mass();
+    scalar released = 0;
+
+    exits.resize(parcels_.size());
+    exits = -1;
+
+    for (const inventoryValve& valve : valves_)
+    {
+        released += valve.release(parcels_, before - released, exits);
+    }
+
+    return released > 0;
+}
+
+
+void Foam::cghs::cghsCloud::exchange(const scalar deltaT)
+{
+    if (valves_.empty() && !feeding_.needed())
+    {
+        return;
+    }
+
+    addProfiling(exchange, "cghs::exchange");
+
+    labelList exits;
+    const bool leaving = findLeaving(exits);
+
+    const DynamicList<feeder::arrival> arrivals
+    (
+        feeding_.find
+        (
+            parcels_,
+            mesh_.time().value(),
+            deltaT,
+            transport_,
+            contacts_
+        )
+    );
+
+    if (leaving || arrivals.size())
+    {
+        contacts_.noteIndices(parcels_);
+        parcels_.dismissGuests();
+        transport_.release(parcels_, exits);
+        feeding_.append(arrivals, parcels_);
+        settle();
+
+        state_ = transport_.survey(parcels_);
+        contacts_.expect(largestSpeed());
+    }
 }
 
 
@@ -469,6 +585,17 @@ Foam::cghs::census Foam::cghs::cghsCloud::count() const
 }
 
 
+Foam::scalar Foam::cghs::cghsCloud::massFed() const
+{
+    scalar mass = 0;
+    for (const feeder& f : feeding_.feeders())
+    {
+        mass += f.fed();
+    }
+    return mass;
+}
+
+
 std::size_t Foam::cghs::cghsCloud::bytesPerParcel() const
 {
     return
@@ -477,6 +604,56 @@ std::size_t Foam::cghs::cghsCloud::bytesPerParcel() const
 }
 
 // * * * * * * * * * * * * * * * Input and output  * * * * * * * * * * * * * //
+
+Foam::dictionary Foam::cghs::cghsCloud::flows() const
+{
+    // Patches between ranks, which differ from rank to rank, come last
+    scalarField escaped
+    (
+        SubField<scalar>
+        (
+            transport_.massEscapedBy(),
+            mesh_.boundaryMesh().nNonProcessor()
+        )
+    );
+    reduce(escaped, sumOp<scalarField>());
+
+    dictionary byPatch;
+    forAll(escaped, patchi)
+    {
+        if (transport_.escapes(patchi))
+        {
+            byPatch.add(mesh_.boundaryMesh()[patchi].name(), escaped[patchi]);
+        }
+    }
+
+    dictionary flows;
+    flows.add("massEscaped", byPatch);
+    feeding_.state(flows);
+    return flows;
+}
+
+
+void Foam::cghs::cghsCloud::setFlows(const dictionary& flows)
+{
+    const dictionary byPatch(flows.subOrEmptyDict("massEscaped"));
+    scalarField escaped(mesh_.boundaryMesh().size(), Zero);
+
+    // The master counts for all
+    for (const entry& e : byPatch)
+    {
+        const label patchi = mesh_.boundaryMesh().findPatchID(e.keyword());
+
+        if (Pstream::master() && patchi >= 0)
+        {
+            escaped[patchi] = byPatch.get<scalar>(e.keyword());
+        }
+    }
+
+    transport_.setMassEscaped(escaped);
+    feeding_.setState(flows);
+}
+
 
 bool Foam::cghs::cghsCloud::writeObject
 (
@@ -487,6 +664,10 @@ bool Foam::cghs::cghsCloud::writeObject
 ) const
 {
     writeParcels(mesh_, name(), parcels_, fmt, ver, cmp);
+
+    const allDigits precise;
+    writeFlows(mesh_, name(), flows());
+
     return true;
 }
 

@@ -28,12 +28,34 @@ Foam::IOdictionary Foam::cghs::readCloudProperties
 }
 
 
+//- The constantProperties, but for what another dictionary has instead
+static Foam::dictionary propertiesWith
+(
+    const Foam::dictionary& cloudProperties,
+    const Foam::dictionary& instead
+)
+{
+    Foam::dictionary dict(cloudProperties.subDict("constantProperties"));
+
+    for (const char* entry : {"diameter", "density", "parcelWeight"})
+    {
+        if (instead.found(entry))
+        {
+            dict.set(instead.lookupEntry(entry, Foam::keyType::LITERAL));
+        }
+    }
+
+    return dict;
+}
+
+
 Foam::cghs::particleProperties::particleProperties
 (
-    const dictionary& cloudProperties
+    const dictionary& cloudProperties,
+    const dictionary& instead
 )
 :
-    dict(cloudProperties.subDict("constantProperties")),
+    dict(propertiesWith(cloudProperties, instead)),
     density(positiveScalar(dict, "density")),
     weight(scalarInRange(dict, "parcelWeight", 1, GREAT))
 {}

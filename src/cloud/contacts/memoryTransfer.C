@@ -71,6 +71,7 @@ Foam::labelList Foam::cghs::memoryTransfer::indicesNow
     {
         const label k = former_[i];
 
+        // A parcel that was fed has any number there, but an id of its own
         if (k < formerIds_.size() && formerIds_[k] == parcels.ids[i])
         {
             now[k] = i;

@@ -20,11 +20,14 @@
 #include "PstreamReduceOps.H"
 #include "profiling.H"
 
+#include <algorithm>
+
 const Foam::Enum<Foam::cghs::transport::action>
 Foam::cghs::transport::actionNames
 ({
     { action::rebound, "rebound" },
-    { action::escape, "escape" }
+    { action::escape, "escape" },
+    { action::valve, "inventoryValve" }
 });
 
 // * * * * * * * * * * * * * * * * The input * * * * * * * * * * * * * * * * //
@@ -71,7 +74,12 @@ void Foam::cghs::transport::readActions(const dictionary& dict)
         }
         else
         {
-            const word name(dict.get<word>(pp.name()));
+            const word name
+            (
+                dict.isDict(pp.name())
+              ? dict.subDict(pp.name()).get<word>("type")
+              : dict.get<word>(pp.name())
+            );
 
             if (!actionNames.found(name))
             {
@@ -93,7 +101,11 @@ Foam::List<Foam::labelPair> Foam::cghs::transport::wallPatches() const
 
     forAll(actions_, patchi)
     {
-        if (actions_[patchi] == action::rebound)
+        if
+        (
+            actions_[patchi] == action::rebound
+         || actions_[patchi] == action::valve
+        )
         {
             patches.append(labelPair(patchi, contact::parcelWall));
         }
@@ -238,6 +250,34 @@ void Foam::cghs::transport::passCyclic
 }
 
 
+void Foam::cghs::transport::noteEscape
+(
+    const arena& parcels,
+    const label i,
+    const label patchi
+)
+{
+    ++nEscaped_;
+    massEscaped_[patchi] += parcels.motions[i].mass();
+
+    if (keepsDepartures_)
+    {
+        departures_.append
+        (
+            departure
+            {
+                parcels.diameters[i],
+                parcels.weights[i],
+                parcels.density(i),
+                parcels.materialOf(i),
+                parcels.ids[i],
+                patchi
+            }
+        );
+    }
+}
+
+
 Foam::cghs::transport::fate Foam::cghs::transport::settleOne
 (
     arena& parcels,
@@ -261,6 +301,7 @@ Foam::cghs::transport::fate Foam::cghs::transport::settleOne
         switch (actions_[patchi])
         {
             case action::rebound:
+            case action::valve:
             case action::mirror:
                 turnBack(parcels, i, facei);
                 break;
@@ -334,9 +375,7 @@ Foam::label Foam::cghs::transport::settleFrom
             case fate::leaves:
                 keep[i] = false;
                 ++nLost;
-                ++nEscaped_;
-                massEscaped_[patches.whichPatch(facei)] +=
-                    parcels.motions[i].mass();
+                noteEscape(parcels, i, patches.whichPatch(facei));
                 break;
 
             case fate::passes:
@@ -446,6 +485,63 @@ void Foam::cghs::transport::settle(arena& parcels)
     }
 }
 
+bool Foam::cghs::transport::enters(const vector& x, label& celli)
+{
+    const label facei = locator_.follow(x, celli);
+
+    return
+        facei == -1
+     || actions_[mesh_.boundaryMesh().whichPatch(facei)] == action::coupled;
+}
+
+
+void Foam::cghs::transport::release
+(
+    arena& parcels,
+    const labelUList& exits
+)
+{
+    boolList keep(parcels.size(), true);
+
+    forAll(exits, i)
+    {
+        if (exits[i] != -1)
+        {
+            keep[i] = false;
+            noteEscape(parcels, i, exits[i]);
+        }
+    }
+
+    parcels.thin(keep);
+}
+
+
+Foam::List<Foam::cghs::departure>
+Foam::cghs::transport::collectDepartures()
+{
+    List<List<departure>> ofRanks(Pstream::nProcs());
+    ofRanks[Pstream::myProcNo()] = departures_;
+    departures_.clear();
+
+    Pstream::gatherList(ofRanks);
+    Pstream::scatterList(ofRanks);
+
+    DynamicList<departure> all;
+    for (const List<departure>& ofRank : ofRanks)
+    {
+        all.append(ofRank);
+    }
+
+    std::sort
+    (
+        all.begin(),
+        all.end(),
+        [](const departure& a, const departure& b) { return a.id < b.id; }
+    );
+
+    return List<departure>(std::move(all));
+}
+
 // * * * * * * * * * * * * * * * * The motion  * * * * * * * * * * * * * * * //
 
 void Foam::cghs::transport::constrain(arena& parcels) const
@@ -527,6 +623,7 @@ Foam::cghs::transport::report Foam::cghs::transport::move
             if
             (
                 actions_[patchi] == action::rebound
+             || actions_[patchi] == action::valve
              || actions_[patchi] == action::mirror
             )
             {
@@ -564,7 +661,9 @@ Foam::cghs::transport::transport(const polyMesh& mesh, const dictionary& dict)
     ),
     nEscaped_(0),
     massEscaped_(mesh.boundaryMesh().size(), Zero),
-    nPenetrated_(0)
+    nPenetrated_(0),
+    keepsDepartures_(false),
+    departures_()
 {
     readActions(dict);
 }

@@ -39,8 +39,8 @@ void Foam::cghs::stepReport::openTable()
         << "# time nParcels mass momentumX momentumY momentumZ"
         << " centreX centreY centreZ kineticEnergy rotationalEnergy"
         << " granularTemperature maxOverlap correctionWork nSolidsSteps"
-        << " clippedCells continuityError escapedMass" << endl;
-    table_().precision(12);
+        << " clippedCells continuityError escapedMass fedMass" << endl;
+    table_().precision(16);
 }
 
 
@@ -86,7 +86,8 @@ void Foam::cghs::stepReport::writeRow
         << token::SPACE << log.nSolidsSteps
         << token::SPACE << nClipped
         << token::SPACE << continuityError
-        << token::SPACE << escaped << nl;
+        << token::SPACE << escaped
+        << token::SPACE << parcels_.massFed() << nl;
 
     if (time_.writeTime() || time_.timeIndex() % 50 == 0)
     {
@@ -98,7 +99,7 @@ void Foam::cghs::stepReport::writeRow
 void Foam::cghs::stepReport::write
 (
     Ostream& os,
-    const autoPtr<incompressibleFluid>& fluid
+    const autoPtr<fluidModel>& fluid
 )
 {
     addProfiling(report, "cghs::report");
@@ -115,12 +116,11 @@ void Foam::cghs::stepReport::write
         << "        granular temperature " << c.granularTemperature()
         << ", largest overlap " << 100*log.maxOverlap
         << " % of d, correction work " << log.correctionWork << " J" << nl;
+    parcels_.reportFeeding(os);
 
     if (fluid.valid())
     {
-        os  << "fluid:  Courant number " << fluid->courantNumber()
-            << ", volume defect " << defect << ", voidage clipped in "
-            << nClipped << " cells" << nl;
+        fluid->report(os);
     }
 
     writeRow(c, log, nClipped, defect);

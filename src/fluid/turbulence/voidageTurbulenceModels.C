@@ -3,13 +3,16 @@
     GPL-3.0-or-later, see LICENSE
 -------------------------------------------------------------------------------
 Description
-    OpenFOAM's turbulence models for an incompressible fluid in the voidage of
-    parcels, selected as usual by constant/turbulenceProperties.
+    OpenFOAM's turbulence models for a fluid in the voidage of parcels,
+    incompressible or a gas of variable density, selected as usual by
+    constant/turbulenceProperties.
 
 \*---------------------------------------------------------------------------*/
 
 #include "PhaseIncompressibleTurbulenceModel.H"
+#include "PhaseCompressibleTurbulenceModel.H"
 #include "singlePhaseTransportModel.H"
+#include "fluidThermo.H"
 #include "addToRunTimeSelectionTable.H"
 #include "makeTurbulenceModel.H"
 
@@ -22,6 +25,14 @@ Description
 #include "kOmegaSST.H"
 #include "kEqn.H"
 #include "Smagorinsky.H"
+
+#define makeVoidageModels(Base)                                                \
+    makeTemplatedTurbulenceModel(Base, laminar, Stokes);                       \
+    makeTemplatedTurbulenceModel(Base, RAS, kEpsilon);                         \
+    makeTemplatedTurbulenceModel(Base, RAS, kOmegaSST);                        \
+    makeTemplatedTurbulenceModel(Base, LES, kEqn);                             \
+    makeTemplatedTurbulenceModel(Base, LES, Smagorinsky)
+
 
 makeTurbulenceModelTypes
 (
@@ -41,16 +52,28 @@ makeBaseTurbulenceModel
     singlePhaseTransportModel
 );
 
-#define makeModel(Family, Type)                                                \
-    makeTemplatedTurbulenceModel                                               \
-    (                                                                          \
-        singlePhaseTransportModelPhaseIncompressibleTurbulenceModel,           \
-        Family,                                                                \
-        Type                                                                   \
-    )
+makeVoidageModels
+(
+    singlePhaseTransportModelPhaseIncompressibleTurbulenceModel
+);
 
-makeModel(laminar, Stokes);
-makeModel(RAS, kEpsilon);
-makeModel(RAS, kOmegaSST);
-makeModel(LES, kEqn);
-makeModel(LES, Smagorinsky);
+
+makeTurbulenceModelTypes
+(
+    volScalarField,
+    volScalarField,
+    compressibleTurbulenceModel,
+    PhaseCompressibleTurbulenceModel,
+    fluidThermo
+);
+
+makeBaseTurbulenceModel
+(
+    volScalarField,
+    volScalarField,
+    compressibleTurbulenceModel,
+    PhaseCompressibleTurbulenceModel,
+    fluidThermo
+);
+
+makeVoidageModels(fluidThermoPhaseCompressibleTurbulenceModel);

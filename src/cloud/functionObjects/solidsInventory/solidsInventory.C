@@ -30,8 +30,9 @@ Foam::cghs::solidsInventory::solidsInventory
     writeFile(mesh_, name, typeName),
     zones_(),
     patches_(),
+    feeders_(),
     inZone_(),
-    escaped_(),
+    flown_(),
     now_(),
     moments_()
 {
@@ -52,11 +53,16 @@ bool Foam::cghs::solidsInventory::read(const dictionary& dict)
 
     findZones(dict);
     findPatches(dict);
+    findFeeders(dict);
 
     if (now_.empty())
     {
-        now_.resize(1 + zones_.size() + patches_.size(), Zero);
-        escaped_ = escapedSoFar();
+        now_.resize
+        (
+            1 + zones_.size() + patches_.size() + feeders_.size(),
+            Zero
+        );
+        flown_ = flownSoFar();
     }
     resume(dict);
 
@@ -122,6 +128,34 @@ void Foam::cghs::solidsInventory::findPatches(const dictionary& dict)
 }
 
 
+void Foam::cghs::solidsInventory::findFeeders(const dictionary& dict)
+{
+    const PtrList<feeder>& all = theCloud().feeders();
+    wordList valid(all.size());
+
+    forAll(all, i)
+    {
+        valid[i] = all[i].name();
+    }
+
+    const wordList wanted(dict.getOrDefault<wordList>("feeders", wordList()));
+    feeders_.resize(wanted.size());
+
+    forAll(wanted, i)
+    {
+        feeders_[i] = valid.find(wanted[i]);
+
+        if (feeders_[i] < 0)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry feeders: there is no feeder " << wanted[i] << nl
+                << "Valid choices: " << valid << nl
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
 void Foam::cghs::solidsInventory::resume(const dictionary& dict)
 {
     // The length of the step comes first
@@ -139,7 +173,7 @@ void Foam::cghs::solidsInventory::resume(const dictionary& dict)
     if (formerNames != names() || !moments_.setState(state))
     {
         FatalIOErrorInFunction(dict)
-            << "Entries cellZones and patches ask for " << names()
+            << "Entries cellZones, patches and feeders ask for " << names()
             << " but until time " << mesh_.time().timeName() << " it was "
             << formerNames << nl
             << "Ask for the same, or rename the function object to start"
@@ -168,6 +202,10 @@ Foam::wordList Foam::cghs::solidsInventory::names() const
     {
         list.append("outflow(" + mesh_.boundaryMesh()[patchi].name() + ')');
     }
+    for (const label feederi : feeders_)
+    {
+        list.append("inflow(" + theCloud().feeders()[feederi].name() + ')');
+    }
 
     return wordList(std::move(list));
 }
@@ -188,13 +226,25 @@ void Foam::cghs::solidsInventory::openTable()
 
 // * * * * * * * * * * * * * * * * The sums  * * * * * * * * * * * * * * * * //
 
-Foam::scalarField Foam::cghs::solidsInventory::escapedSoFar() const
+Foam::scalarField Foam::cghs::solidsInventory::flownSoFar() const
 {
-    return scalarField
-    (
-        theCloud().transportStage().massEscapedBy(),
-        patches_
-    );
+    const scalarField& escaped = theCloud().transportStage().massEscapedBy();
+    DynamicList<scalar> flown;
+
+    for (const label patchi : patches_)
+    {
+        flown.append(escaped[patchi]);
+    }
+    for (const label feederi : feeders_)
+    {
+        // All ranks know it; one is to count it
+        flown.append
+        (
+            Pstream::master() ? theCloud().feeders()[feederi].fed() : 0
+        );
+    }
+
+    return scalarField(std::move(flown));
 }
 
 
@@ -219,12 +269,12 @@ bool Foam::cghs::solidsInventory::execute()
         }
     }
 
-    const scalarField escaped(escapedSoFar());
-    forAll(escaped, p)
+    const scalarField flown(flownSoFar());
+    forAll(flown, k)
     {
-        now_[1 + zones_.size() + p] = (escaped[p] - escaped_[p])/deltaT;
+        now_[1 + zones_.size() + k] = (flown[k] - flown_[k])/deltaT;
     }
-    escaped_ = escaped;
+    flown_ = flown;
 
     reduce(now_, sumOp<scalarField>());
 

@@ -1,0 +1,31 @@
+/*---------------------------------------------------------------------------*\
+    cghsFoam | coarse-grained hard spheres in OpenFOAM
+    GPL-3.0-or-later, see LICENSE
+\*---------------------------------------------------------------------------*/
+
+#include "feedPlace.H"
+#include "selectModel.H"
+
+namespace Foam
+{
+namespace cghs
+{
+    defineTypeNameAndDebug(feedPlace, 0);
+    defineRunTimeSelectionTable(feedPlace, dictionary);
+}
+}
+
+
+Foam::autoPtr<Foam::cghs::feedPlace> Foam::cghs::feedPlace::New
+(
+    const dictionary& dict,
+    const polyMesh& mesh
+)
+{
+    return selectModel<feedPlace>
+    (
+        dict,
+        *dictionaryConstructorTablePtr_,
+        mesh
+    );
+}

@@ -1,0 +1,416 @@
+/*---------------------------------------------------------------------------*\
+    cghsFoam | coarse-grained hard spheres in OpenFOAM
+    GPL-3.0-or-later, see LICENSE
+\*---------------------------------------------------------------------------*/
+
+#include "fluidModel.H"
+#include "fvm.H"
+#include "fvc.H"
+#include "fvcFlux.H"
+#include "constrainHbyA.H"
+#include "constrainPressure.H"
+#include "fixedFluxPressureFvPatchScalarField.H"
+#include "checkedEntry.H"
+#include "profiling.H"
+
+namespace Foam
+{
+namespace cghs
+{
+    defineTypeNameAndDebug(fluidModel, 0);
+    defineRunTimeSelectionTable(fluidModel, cloud);
+
+
+static IOobject fieldIO
+(
+    const word& name,
+    const fvMesh& mesh,
+    const IOobject::readOption read,
+    const IOobject::writeOption write
+)
+{
+    return IOobject(name, mesh.time().timeName(), mesh, read, write);
+}
+
+
+//- The solids that the fluid takes notice of
+static tmp<volScalarField> solidsMet(const cghsCloud& parcels)
+{
+    return
+        parcels.coupling() == cghsCloud::couplingType::twoWay
+      ? parcels.solidsFraction()
+      : parcels.noSolids();
+}
+
+} // End namespace cghs
+} // End namespace Foam
+
+// * * * * * * * * * * * * * * * Construction  * * * * * * * * * * * * * * * //
+
+Foam::tmp<Foam::volScalarField>
+Foam::cghs::fluidModel::boundedVoidage(const volScalarField& theta)
+{
+    nClipped_ = 0;
+
+    for (const scalar solids : theta.primitiveField())
+    {
+        nClipped_ += 1 - solids < minVoidage_;
+    }
+    reduce(nClipped_, sumOp<label>());
+
+    return max(1 - theta, dimensionedScalar("minVoidage", dimless, minVoidage_));
+}
+
+
+Foam::cghs::fluidModel::fluidModel
+(
+    fvMesh& mesh,
+    const dimensionedVector& g,
+    const cghsCloud& parcels
+)
+:
+    mesh_(mesh),
+    reconstruct_(mesh),
+    piso_(mesh),
+    g_(g),
+    minVoidage_
+    (
+        scalarInRange
+        (
+            parcels.properties().subDict("solution"),
+            "minVoidage",
+            0.01,
+            1
+        )
+    ),
+    gradP_
+    (
+        fieldIO("gradP", mesh, IOobject::NO_READ, IOobject::NO_WRITE),
+        mesh,
+        dimensionedVector(dimPressure/dimLength, Zero)
+    ),
+    nClipped_(0),
+    continuityError_(0),
+    U_
+    (
+        fieldIO("U", mesh, IOobject::MUST_READ, IOobject::AUTO_WRITE),
+        mesh
+    ),
+    p_
+    (
+        fieldIO("p", mesh, IOobject::MUST_READ, IOobject::AUTO_WRITE),
+        mesh
+    ),
+    phi_
+    (
+        fieldIO("phi", mesh, IOobject::READ_IF_PRESENT, IOobject::AUTO_WRITE),
+        fvc::flux(U_)
+    ),
+    alpha_
+    (
+        fieldIO("alpha", mesh, IOobject::READ_IF_PRESENT, IOobject::AUTO_WRITE),
+        boundedVoidage(solidsMet(parcels))
+    ),
+    alphaf_("alphaf", fvc::interpolate(alpha_))
+{
+    mesh_.setFluxRequired(p_.name());
+
+    // An old value is only kept from now on if it is asked for now
+    alpha_.oldTime();
+    U_.oldTime();
+}
+
+
+void Foam::cghs::fluidModel::checkPressure
+(
+    const dimensionSet& wanted,
+    const string& what
+) const
+{
+    if (p_.dimensions() != wanted)
+    {
+        FatalIOErrorInFunction(IOdictionary(p_))
+            << "Entry dimensions is " << p_.dimensions() << " but a fluid "
+            << type() << " takes " << what << ", " << wanted << nl
+            << "Mend p, or choose another fluid in the subdictionary solution"
+            << " of the cloud's properties. Valid choices:" << nl
+            << cloudConstructorTablePtr_->sortedToc() << nl
+            << exit(FatalIOError);
+    }
+}
+
+
+Foam::autoPtr<Foam::cghs::fluidModel>
+Foam::cghs::fluidModel::New
+(
+    fvMesh& mesh,
+    const dimensionedVector& g,
+    const cghsCloud& parcels
+)
+{
+    if (parcels.coupling() == cghsCloud::couplingType::none)
+    {
+        return nullptr;
+    }
+
+    const dictionary& solution = parcels.properties().subDict("solution");
+    const word modelType
+    (
+        solution.getOrDefault<word>(typeName, "incompressible")
+    );
+    const auto constructor = cloudConstructorTablePtr_->cfind(modelType);
+
+    if (!constructor.found())
+    {
+        FatalIOErrorInFunction(solution)
+            << "Unknown " << typeName << ' ' << modelType << nl << nl
+            << "Valid choices:" << nl
+            << cloudConstructorTablePtr_->sortedToc() << nl
+            << exit(FatalIOError);
+    }
+
+    return constructor()(mesh, g, parcels);
+}
+
+// * * * * * * * * * * * * * * * * The step  * * * * * * * * * * * * * * * * //
+
+Foam::scalar Foam::cghs::fluidModel::courantNumber() const
+{
+    const scalarField outflow
+    (
+        fvc::surfaceSum(mag(phi_))().primitiveField()
+    );
+
+    return 0.5*gMax(outflow/mesh_.V())*mesh_.time().deltaTValue();
+}
+
+
+void Foam::cghs::fluidModel::setSolids(const volScalarField& theta)
+{
+    alpha_ = boundedVoidage(theta);
+    alpha_.correctBoundaryConditions();
+
+    alphaf_ = fvc::interpolate(alpha_);
+    contentFlux() = contentf()*phi_;
+}
+
+
+bool Foam::cghs::fluidModel::pressureBalances(const label patchi) const
+{
+    return
+        isA<fixedFluxPressureFvPatchScalarField>(p_.boundaryField()[patchi]);
+}
+
+
+template<class Velocity>
+void Foam::cghs::fluidModel::setBalancedFlux
+(
+    surfaceScalarField& flux,
+    const volVectorField& field,
+    const Velocity& velocity
+) const
+{
+    forAll(field.boundaryField(), patchi)
+    {
+        if (pressureBalances(patchi))
+        {
+            const fvPatchVectorField& values = field.boundaryField()[patchi];
+
+            flux.boundaryFieldRef()[patchi] =
+                velocity(values) & values.patch().Sf();
+        }
+    }
+}
+
+
+Foam::tmp<Foam::surfaceScalarField>
+Foam::cghs::fluidModel::gravityFlux(const surfaceScalarField& rAUf) const
+{
+    tmp<surfaceScalarField> tflux(contentf()*rAUf*(g_ & mesh_.Sf()));
+    surfaceScalarField::Boundary& flux = tflux.ref().boundaryFieldRef();
+
+    // Where the velocity is given no force changes it, unless the pressure
+    // gradient there is free to balance it
+    forAll(flux, patchi)
+    {
+        if
+        (
+            U_.boundaryField()[patchi].fixesValue()
+        && !pressureBalances(patchi)
+        )
+        {
+            flux[patchi] = 0;
+        }
+    }
+
+    return tflux;
+}
+
+
+void Foam::cghs::fluidModel::correctPressure
+(
+    const fvVectorMatrix& UEqn,
+    const volScalarField& rAU,
+    const surfaceScalarField& rAUf,
+    const surfaceScalarField& gravity
+)
+{
+    const volVectorField HbyA(constrainHbyA(rAU*UEqn.H(), U_, p_));
+    const surfaceScalarField alpharAUf("alpharAUf", alphaf_*rAUf);
+    const tmp<surfaceScalarField> tcontentf(contentf());
+    const surfaceScalarField& content = tcontentf();
+
+    surfaceScalarField phiHbyA
+    (
+        "phiHbyA",
+        fvc::flux(HbyA) + content*rAUf*fvc::ddtCorr(U_, phi_)
+    );
+
+    closeFluxes(phiHbyA);
+
+    // Where the pressure gradient is free, the forces are those of the cell
+    // beside: the given velocity is the result of their balance, not of there
+    // being none
+    setBalancedFlux
+    (
+        phiHbyA,
+        HbyA,
+        [](const fvPatchVectorField& values)
+        {
+            return values.patchInternalField();
+        }
+    );
+    phiHbyA += gravity;
+    constrainPressure(p_, U_, phiHbyA, alpharAUf);
+
+    while (piso_.correctNonOrthogonal())
+    {
+        fvScalarMatrix pEqn
+        (
+            fvm::laplacian(content*alpharAUf, p_)
+         == fvc::div(content*phiHbyA)
+        );
+        addStorage(pEqn);
+
+        pEqn.solve(mesh_.solver(p_.select(piso_.finalInnerIter())));
+
+        if (piso_.finalNonOrthogonalIter())
+        {
+            const surfaceScalarField pFlux(pEqn.flux()/content);
+
+            // The result at such a patch is the given velocity, to the last
+            // digit
+            phi_ = phiHbyA - pFlux;
+            setBalancedFlux
+            (
+                phi_,
+                U_,
+                [](const fvPatchVectorField& values)
+                    -> const fvPatchVectorField& { return values; }
+            );
+            contentFlux() = content*phi_;
+
+            pressureSolved();
+
+            U_ = HbyA + rAU*reconstruct_((gravity - pFlux)/rAUf);
+            U_.correctBoundaryConditions();
+        }
+    }
+}
+
+
+void Foam::cghs::fluidModel::solve(fvVectorMatrix& UEqn)
+{
+    UEqn.relax();
+
+    const volScalarField rAU("rAU", 1/UEqn.A());
+    const surfaceScalarField rAUf("rAUf", fvc::interpolate(rAU));
+    const surfaceScalarField gravity(gravityFlux(rAUf));
+
+    if (piso_.momentumPredictor())
+    {
+        Foam::solve
+        (
+            UEqn
+         ==
+            reconstruct_
+            (
+                gravity/rAUf - alphaf_*fvc::snGrad(p_)*mesh_.magSf()
+            )
+        );
+    }
+
+    while (piso_.correct())
+    {
+        correctPressure(UEqn, rAU, rAUf, gravity);
+    }
+
+    continuityError_ =
+        gMax(mag(continuityDefect())().primitiveField())
+       *mesh_.time().deltaTValue();
+
+    finishStep();
+}
+
+
+void Foam::cghs::fluidModel::solve
+(
+    const volVectorField& drag,
+    const volScalarField& response
+)
+{
+    addProfiling(fluid, "cghs::fluid");
+
+    const volScalarField R("dragResponse", response/momentumDensity());
+
+    fvVectorMatrix UEqn
+    (
+        momentumEquation() + fvm::Sp(R, U_)
+     == R*U_.oldTime() - drag/momentumDensity()
+    );
+    solve(UEqn);
+}
+
+
+void Foam::cghs::fluidModel::solve()
+{
+    addProfiling(fluid, "cghs::fluid");
+
+    tmp<fvVectorMatrix> UEqn(momentumEquation());
+    solve(UEqn.ref());
+}
+
+
+Foam::tmp<Foam::volVectorField> Foam::cghs::fluidModel::gradPNow() const
+{
+    return momentumDensity()*reconstruct_(fvc::snGrad(p_)*mesh_.magSf());
+}
+
+
+const Foam::volVectorField& Foam::cghs::fluidModel::gradP()
+{
+    gradP_ = gradPNow();
+
+    return gradP_;
+}
+
+
+Foam::tmp<Foam::volVectorField> Foam::cghs::fluidModel::dU() const
+{
+    return U_ - U_.oldTime();
+}
+
+
+Foam::tmp<Foam::volVectorField> Foam::cghs::fluidModel::dGradP() const
+{
+    return gradPNow() - gradP_;
+}
+
+// * * * * * * * * * * * * * * * * Reports * * * * * * * * * * * * * * * * * //
+
+void Foam::cghs::fluidModel::report(Ostream& os) const
+{
+    os  << "fluid:  Courant number " << courantNumber()
+        << ", volume defect " << continuityError_ << ", voidage clipped in "
+        << nClipped_ << " cells" << nl;
+}

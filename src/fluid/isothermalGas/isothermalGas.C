@@ -1,0 +1,176 @@
+/*---------------------------------------------------------------------------*\
+    cghsFoam | coarse-grained hard spheres in OpenFOAM
+    GPL-3.0-or-later, see LICENSE
+\*---------------------------------------------------------------------------*/
+
+#include "isothermalGas.H"
+#include "fvm.H"
+#include "fvc.H"
+#include "addToRunTimeSelectionTable.H"
+
+namespace Foam
+{
+namespace cghs
+{
+    defineTypeNameAndDebug(isothermalGas, 0);
+    addToRunTimeSelectionTable(fluidModel, isothermalGas, cloud);
+
+
+//- psi must not depend on the pressure
+static autoPtr<psiThermo> idealGas(const fvMesh& mesh)
+{
+    autoPtr<psiThermo> thermo(psiThermo::New(mesh));
+
+    if (thermo->type().find("perfectGas") == std::string::npos)
+    {
+        FatalIOErrorInFunction(thermo->subDict("thermoType"))
+            << "Entry equationOfState is "
+            << thermo->subDict("thermoType").get<word>("equationOfState")
+            << " but a fluid " << isothermalGas::typeName
+            << " must be an ideal gas" << nl
+            << "Valid choices: perfectGas" << nl
+            << exit(FatalIOError);
+    }
+
+    return thermo;
+}
+
+} // End namespace cghs
+} // End namespace Foam
+
+// * * * * * * * * * * * * * * * Construction  * * * * * * * * * * * * * * * //
+
+Foam::cghs::isothermalGas::isothermalGas
+(
+    fvMesh& mesh,
+    const dimensionedVector& g,
+    const cghsCloud& parcels
+)
+:
+    fluidModel(mesh, g, parcels),
+    thermo_((checkPressure(dimPressure, "the pressure"), idealGas(mesh))),
+    rho_
+    (
+        IOobject
+        (
+            "rho",
+            mesh.time().timeName(),
+            mesh,
+            IOobject::NO_READ,
+            IOobject::AUTO_WRITE
+        ),
+        thermo_->psi()*p_
+    ),
+    rhof_("rhof", fvc::interpolate(rho_)),
+    mu_("mu", thermo_->mu()),
+    alphaRhoPhi_("alphaRhoPhi", contentf()*phi_),
+    mass_(massNow()),
+    massDefect_(0)
+{
+    checkPositivePressure();
+
+    turbulence_ =
+        turbulenceModel::New
+        (
+            alpha_,
+            rho_,
+            U_,
+            alphaRhoPhi_,
+            phi_,
+            thermo_()
+        );
+
+    p_.oldTime();
+    rho_.oldTime();
+    thermo_->psi().oldTime();
+}
+
+
+void Foam::cghs::isothermalGas::checkPositivePressure() const
+{
+    const scalar lowest = gMin(p_.primitiveField());
+
+    if (!(lowest > 0))
+    {
+        FatalErrorInFunction
+            << "The lowest pressure at time " << mesh().time().timeName()
+            << " is " << lowest << " Pa, but that of an ideal gas is"
+            << " above zero" << nl
+            << "At the start: p is the absolute pressure, see file "
+            << p_.objectPath() << nl
+            << "Later: the run has gone out of hand. Lower maxCo or maxDeltaT,"
+            << " raise nCorrectors of PISO" << nl
+            << exit(FatalError);
+    }
+}
+
+
+Foam::scalar Foam::cghs::isothermalGas::massNow() const
+{
+    return fvc::domainIntegrate(alpha_*rho_).value();
+}
+
+// * * * * * * * * * * * * * * * * The step  * * * * * * * * * * * * * * * * //
+
+Foam::tmp<Foam::fvVectorMatrix> Foam::cghs::isothermalGas::momentumEquation()
+{
+    // With the density at the end of the step before, as after a restart
+    alphaRhoPhi_ = contentf()*phi_;
+
+    return
+        fvm::ddt(alpha_, rho_, U_)
+      + fvm::div(alphaRhoPhi_, U_)
+      - fvm::Sp(fvc::ddt(alpha_, rho_) + fvc::div(alphaRhoPhi_), U_)
+      + turbulence_->divDevRhoReff(U_);
+}
+
+
+void Foam::cghs::isothermalGas::addStorage(fvScalarMatrix& pEqn) const
+{
+    pEqn -= fvm::ddt(alpha_, thermo_->psi(), p_);
+}
+
+
+void Foam::cghs::isothermalGas::pressureSolved()
+{
+    rho_ = thermo_->psi()*p_;
+    rhof_ = fvc::interpolate(rho_);
+}
+
+
+Foam::tmp<Foam::volScalarField>
+Foam::cghs::isothermalGas::continuityDefect() const
+{
+    return (fvc::ddt(alpha_, rho_) + fvc::div(alphaRhoPhi_))/(alpha_*rho_);
+}
+
+
+void Foam::cghs::isothermalGas::finishStep()
+{
+    checkPositivePressure();
+
+    scalar outflow = 0;
+    for (const fvsPatchScalarField& flux : alphaRhoPhi_.boundaryField())
+    {
+        if (!flux.coupled())
+        {
+            outflow += sum(flux);
+        }
+    }
+    reduce(outflow, sumOp<scalar>());
+
+    const scalar before = mass_;
+    mass_ = massNow();
+    massDefect_ += mass_ - before + outflow*mesh().time().deltaTValue();
+
+    turbulence_->correct();
+}
+
+
+void Foam::cghs::isothermalGas::report(Ostream& os) const
+{
+    fluidModel::report(os);
+
+    os  << "gas:    " << mass_ << " kg, of which " << massDefect_
+        << " kg from nowhere" << nl;
+}
