@@ -142,7 +142,7 @@ inline void Foam::cghs::suspension::accelerate
 
     const scalar K = rates_[i];
     const vector u(c.u());
-    const vector field(g_ - (parcels.volume(i)*m.invMass)*c.gradP());
+    const vector field(g_ - (parcels.displaced(i)*m.invMass)*c.gradP());
 
     m.v = (m.v + time*(K*u + field))/(1 + time*K);
 
@@ -211,7 +211,7 @@ void Foam::cghs::suspension::sumInCells(const arena& parcels)
 
     for (label i = 0; i < parcels.size(); ++i)
     {
-        volume_[parcels.cells[i]] += parcels.volume(i);
+        volume_[parcels.cells[i]] += parcels.displaced(i);
     }
 }
 
@@ -228,7 +228,7 @@ void Foam::cghs::suspension::spreadLoads
     {
         const cghs::load own
         (
-            parcels.volume(i),
+            parcels.displaced(i),
             taken_[i],
             responseOf(parcels, i, fluidDeltaT)
         );
@@ -274,7 +274,8 @@ inline Foam::vector Foam::cghs::suspension::answer
 ) const
 {
     const scalar K = rates_[i];
-    const scalar volumeByMass = parcels.volume(i)*parcels.motions[i].invMass;
+    const scalar volumeByMass =
+        parcels.displaced(i)*parcels.motions[i].invMass;
 
     return
         fluidDeltaT
