@@ -75,3 +75,17 @@ def checks_of(here, *cases):
         stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
         check=False,
     ).stdout.strip()
+
+
+def draw_parcels(axes, place, diameter, values, bounds, colours="viridis"):
+    """Parcels as discs to scale: place (x, y), diameter and value of each, and
+    the bounds of the values that the colours stand for."""
+    from matplotlib.collections import EllipseCollection
+
+    discs = EllipseCollection(
+        diameter, diameter, np.zeros(len(diameter)), units="xy", offsets=place,
+        offset_transform=axes.transData, array=values, cmap=colours, lw=0)
+    discs.set_clim(*bounds)
+    axes.add_collection(discs)
+    axes.set_aspect("equal")
+    return discs

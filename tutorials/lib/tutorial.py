@@ -4,7 +4,7 @@
 #
 # Description
 #     What the tutorials' evaluate and validate share in reading what a run has
-#     left: inputs, series in time, means with errors. Each tutorial's own module
+#     left: inputs, series in time, means with errors. Each tutorial's module
 #     finds the project and begins with
 #
 #         PROJECT = next((folder for folder in Path(__file__).resolve().parents
@@ -111,6 +111,18 @@ def seconds(case, kind="ClockTime"):
         for part in text.split("Starting time loop")[1:]
         if f"{kind} = " in part
     )
+
+
+def clock_series(case, kind="ClockTime"):
+    """Simulated times, and what the solver had taken up to them over all its
+    starts, as above [s]."""
+    text = (Path(case) / "log.cghsFoam").read_text()
+    steps = re.findall(
+        rf"^Time = (\S+)$(?:(?!^Time =).*\n)*?.*\b{kind} = (\S+)", text, re.M)
+    time, spent = np.array(steps, float).reshape(-1, 2).T
+    again = np.diff(spent, prepend=0)
+    again[again < 0] = spent[again < 0]
+    return time, np.cumsum(again)
 
 
 def ranks(case):

@@ -34,6 +34,7 @@
 #     ranks           the number of cores
 #     reached         the time from which the run goes on [s]
 #     deadline        when the shell's SECONDS are as many, a run is to pause
+#     ran, paused     'yes' once a solver has run, has stopped at the deadline
 #------------------------------------------------------------------------------
 export PROJECT_DIR
 here="$PWD"
@@ -123,12 +124,12 @@ buildProject()
 }
 
 
-# A new folder with the files of the case: freshCase FOLDER
+# A new folder with the files of the tutorial's case: freshCase FOLDER
 freshCase()
 {
     rm -rf "$1"
     mkdir "$1"
-    cp -r 0.orig constant system "$1"
+    cp -r "$here/0.orig" "$here/constant" "$here/system" "$1"
     rm -rf "$1/constant/polyMesh" "$1/system/runOptions"
 }
 
@@ -191,6 +192,9 @@ showProgress()
 
 solver=
 deadline=
+ran=
+# shellcheck disable=SC2034 # read by the Allruns
+paused=
 stopSolver()
 {
     [ -z "$solver" ] || kill "$solver" 2> /dev/null || true
@@ -210,6 +214,8 @@ runSolver()
 
     echo "${command[*]}: to t = $endTime s, details in log.cghsFoam"
     rm -f stop
+    # shellcheck disable=SC2034
+    ran=yes
     "${command[@]}" >> log.cghsFoam 2>&1 < /dev/null &
     solver=$!
     while kill -0 "$solver" 2> /dev/null
@@ -240,6 +246,8 @@ runToEnd()
     if isLess "$reached" "$endTime"
     then
         runSolver
+        # shellcheck disable=SC2034
+        ! isLess "$(latestTime)" "$endTime" || paused=yes
     else
         echo "t = $endTime s has been reached before"
     fi

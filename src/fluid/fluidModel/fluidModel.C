@@ -49,16 +49,8 @@ static tmp<volScalarField> solidsMet(const cghsCloud& parcels)
 // * * * * * * * * * * * * * * * Construction  * * * * * * * * * * * * * * * //
 
 Foam::tmp<Foam::volScalarField>
-Foam::cghs::fluidModel::boundedVoidage(const volScalarField& theta)
+Foam::cghs::fluidModel::boundedVoidage(const volScalarField& theta) const
 {
-    nClipped_ = 0;
-
-    for (const scalar solids : theta.primitiveField())
-    {
-        nClipped_ += 1 - solids < minVoidage_;
-    }
-    reduce(nClipped_, sumOp<label>());
-
     return max(1 - theta, dimensionedScalar("minVoidage", dimless, minVoidage_));
 }
 
@@ -91,7 +83,6 @@ Foam::cghs::fluidModel::fluidModel
         mesh,
         dimensionedVector(dimPressure/dimLength, Zero)
     ),
-    nClipped_(0),
     continuityError_(0),
     options_(fv::options::New(mesh)),
     U_
@@ -464,6 +455,5 @@ Foam::tmp<Foam::volVectorField> Foam::cghs::fluidModel::dGradP() const
 void Foam::cghs::fluidModel::report(Ostream& os) const
 {
     os  << "fluid:  Courant number " << courantNumber()
-        << ", volume defect " << continuityError_ << ", voidage clipped in "
-        << nClipped_ << " cells" << nl;
+        << ", volume defect " << continuityError_ << nl;
 }

@@ -33,6 +33,7 @@ Foam::cghs::solidsInventory::solidsInventory
     feeders_(),
     inZone_(),
     flown_(),
+    flownStep_(-1),
     now_(),
     moments_()
 {
@@ -63,6 +64,7 @@ bool Foam::cghs::solidsInventory::read(const dictionary& dict)
             Zero
         );
         flown_ = flownSoFar();
+        flownStep_ = mesh_.time().timeIndex();
     }
     resume(dict);
 
@@ -270,6 +272,16 @@ bool Foam::cghs::solidsInventory::execute()
     }
 
     const scalarField flown(flownSoFar());
+    const label step = mesh_.time().timeIndex();
+    const bool known = flownStep_ == step - 1;
+    flownStep_ = step;
+
+    if (!known)
+    {
+        flown_ = flown;
+        return true;
+    }
+
     forAll(flown, k)
     {
         now_[1 + zones_.size() + k] = (flown[k] - flown_[k])/deltaT;
@@ -291,7 +303,7 @@ bool Foam::cghs::solidsInventory::execute()
 
 bool Foam::cghs::solidsInventory::write()
 {
-    if (writeToFile())
+    if (writeToFile() && moments_.nSamples() > 0)
     {
         if (!filePtr_.valid())
         {
