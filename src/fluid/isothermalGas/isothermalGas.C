@@ -188,9 +188,12 @@ void Foam::cghs::isothermalGas::pressureSolved()
 
 
 Foam::tmp<Foam::volScalarField>
-Foam::cghs::isothermalGas::continuityDefect() const
+Foam::cghs::isothermalGas::continuityDefect
+(
+    const surfaceScalarField& flux
+) const
 {
-    return (fvc::ddt(alpha_, rho_) + fvc::div(alphaRhoPhi_))/(alpha_*rho_);
+    return (fvc::ddt(alpha_, rho_) + fvc::div(flux))/(alpha_*rho_);
 }
 
 
