@@ -65,7 +65,11 @@ Foam::cghs::fluidModel::fluidModel
 :
     mesh_(mesh),
     reconstruct_(mesh),
-    yield_(mesh),
+    yield_
+    (
+        mesh,
+        parcels.coupling() == cghsCloud::couplingType::twoWay
+    ),
     piso_(mesh),
     g_(g),
     minVoidage_

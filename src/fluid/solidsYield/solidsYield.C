@@ -17,10 +17,30 @@ namespace cghs
 }
 
 
-Foam::cghs::solidsYield::solidsYield(const fvMesh& mesh)
+Foam::cghs::solidsYield::solidsYield(const fvMesh& mesh, const bool twoWay)
 :
     mesh_(mesh)
-{}
+{
+    if (twoWay)
+    {
+        ahead_.reset
+        (
+            new surfaceScalarField
+            (
+                IOobject
+                (
+                    "solidsAhead",
+                    mesh.time().timeName(),
+                    mesh,
+                    IOobject::READ_IF_PRESENT,
+                    IOobject::AUTO_WRITE
+                ),
+                mesh,
+                dimensionedScalar(dimVolume, Zero)
+            )
+        );
+    }
+}
 
 
 Foam::tmp<Foam::surfaceScalarField>
@@ -48,26 +68,6 @@ void Foam::cghs::solidsYield::start
     const surfaceScalarField& gradient
 )
 {
-    if (!ahead_.valid())
-    {
-        ahead_.reset
-        (
-            new surfaceScalarField
-            (
-                IOobject
-                (
-                    "solidsAhead",
-                    mesh_.time().timeName(),
-                    mesh_,
-                    IOobject::READ_IF_PRESENT,
-                    IOobject::AUTO_WRITE
-                ),
-                mesh_,
-                dimensionedScalar(dimVolume, Zero)
-            )
-        );
-    }
-
     byFlux_.reset(new surfaceScalarField(passing(byVelocity)));
     byGradient_.reset(new surfaceScalarField(passing(byGradient)));
     phi0_.reset(new surfaceScalarField("phi0", phi));
