@@ -602,6 +602,34 @@ Foam::tmp<Foam::volScalarField> Foam::cghs::cghsCloud::dragResponse() const
     );
 }
 
+
+Foam::tmp<Foam::volScalarField>
+Foam::cghs::cghsCloud::yieldToVelocity() const
+{
+    addProfiling(mapping, "cghs::mapping");
+
+    return spreadDensity
+    (
+        "yieldToVelocity",
+        suspension_->yieldToVelocity(),
+        dimless
+    );
+}
+
+
+Foam::tmp<Foam::volScalarField>
+Foam::cghs::cghsCloud::yieldToGradient() const
+{
+    addProfiling(mapping, "cghs::mapping");
+
+    return spreadDensity
+    (
+        "yieldToGradient",
+        suspension_->yieldToGradient(),
+        dimTime/dimDensity
+    );
+}
+
 // * * * * * * * * * * * * * * * * Reports * * * * * * * * * * * * * * * * * //
 
 Foam::cghs::census Foam::cghs::cghsCloud::count() const
