@@ -93,8 +93,8 @@ class Bed(FluidisedBed):
         name = "uniform/functionObjects/functionObjectProperties"
         for place in places:
             path = place / time / name
-            if path.exists():
-                text = path.read_text()
+            if of.has(path):
+                text = of.read(path)
                 part = text[text.index("averages"):]
                 return float(re.search(r"totalTime\s+([^;\s]+);", part)[1])
         raise FileNotFoundError(f"{self.case}/{time}/{name}")

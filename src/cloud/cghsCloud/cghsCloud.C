@@ -149,7 +149,8 @@ Foam::cghs::cghsCloud::cghsCloud
         transport::periods(mesh),
         g
     ),
-    feeding_(properties_, parcels_.nMaterials(), mesh)
+    feeding_(properties_, parcels_.nMaterials(), mesh),
+    suspended_(false)
 {
     makeValves();
 
@@ -163,23 +164,42 @@ Foam::cghs::cghsCloud::cghsCloud
         parcels_.add(contacts_.formerIndices());
     }
 
-    if (coupling_ != couplingType::none)
-    {
-        suspension_.reset(new suspension(subModels(), g, mesh.nCells()));
-        parcels_.add(suspension_->rates());
-    }
-
     readParcels(mesh, name, parcels_);
     transport_.constrain(parcels_);
     setFlows(readFlows(mesh, name));
 
     if (coupling_ != couplingType::none)
     {
-        mapping_ = mappingModel::New(subModels(), mesh, largestDiameter());
+        enterFluid();
     }
 
     state_ = transport_.survey(parcels_);
     contacts_.expect(largestSpeed());
+}
+
+
+void Foam::cghs::cghsCloud::enterFluid()
+{
+    mapping_ = mappingModel::New(subModels(), mesh_, largestDiameter());
+
+    suspension_.reset
+    (
+        new suspension(subModels(), g_, mesh_.nCells(), mapping_->kernels())
+    );
+    suspension_->addColumns(parcels_);
+
+    if (coupling_ == couplingType::twoWay)
+    {
+        limit_.reset
+        (
+            new solidsLimit
+            (
+                mesh_,
+                1 - scalarInRange(solution(), "minVoidage", 0.01, 1)
+            )
+        );
+        loadCells(0);
+    }
 }
 
 // * * * * * * * * * * * * * * * * The step  * * * * * * * * * * * * * * * * //
@@ -360,6 +380,12 @@ void Foam::cghs::cghsCloud::evolve(const scalar deltaT)
         log_.minDeltaT = min(log_.minDeltaT, dt);
     }
 
+    if (suspended_ && coupling_ == couplingType::twoWay)
+    {
+        loadCells(deltaT);
+    }
+    suspended_ = false;
+
     log_.nListBuilds = contacts_.nBuilds();
     log_.maxOverlap = returnReduce(contacts_.maxOverlap(), maxOp<scalar>());
     log_.correctionWork =
@@ -379,22 +405,24 @@ void Foam::cghs::cghsCloud::meetFluid
 {
     addProfiling(mapping, "cghs::mapping");
 
-    tmp<volVectorField> smoothU(smooth(U));
-    tmp<volVectorField> smoothGradP(smooth(gradP));
+    const tmp<volVectorField> tu(smooth(U));
+    const tmp<volVectorField> tgrad(smooth(gradP));
+    List<carrier> fluid(mesh_.nCells());
 
-    List<carrier>& carriers = suspension_->carriers();
-
-    forAll(carriers, celli)
+    forAll(fluid, celli)
     {
-        carriers[celli] = carrier
-        {
-            smoothU()[celli],
-            smoothGradP()[celli],
+        fluid[celli] = carrier
+        (
+            tu()[celli],
+            tgrad()[celli],
             alpha[celli],
             rho[celli],
             mu[celli]
-        };
+        );
     }
+
+    suspension_->meet(parcels_, std::move(fluid));
+    suspended_ = true;
 }
 
 
@@ -436,13 +464,16 @@ void Foam::cghs::cghsCloud::completeStep
 {
     addProfiling(complete, "cghs::complete");
 
-    suspension_->complete
-    (
-        parcels_,
-        smooth(dU)(),
-        smooth(dGradP)(),
-        deltaT
-    );
+    const tmp<volVectorField> tdU(smooth(dU));
+    const tmp<volVectorField> tdGradP(smooth(dGradP));
+    List<change> changes(mesh_.nCells());
+
+    forAll(changes, celli)
+    {
+        changes[celli] = change(tdU()[celli], tdGradP()[celli]);
+    }
+
+    suspension_->complete(parcels_, std::move(changes), deltaT);
 }
 
 
@@ -480,18 +511,14 @@ Foam::cghs::cghsCloud::spreadDensity
 }
 
 
-Foam::tmp<Foam::volScalarField> Foam::cghs::cghsCloud::solidsFraction() const
+void Foam::cghs::cghsCloud::loadCells(const scalar fluidDeltaT)
 {
     addProfiling(mapping, "cghs::mapping");
 
-    scalarField volume(mesh_.nCells(), Zero);
+    suspension_->load(parcels_, fluidDeltaT);
 
-    for (label i = 0; i < parcels_.size(); ++i)
-    {
-        volume[parcels_.cells[i]] += parcels_.volume(i);
-    }
-
-    return spreadDensity("theta", volume, dimless);
+    theta_ = spreadDensity("theta", suspension_->volume(), dimless);
+    log_.nCrowdedCells = limit_->bound(theta_.ref());
 }
 
 

@@ -9,12 +9,15 @@ Foam::cghs::suspension::suspension
 (
     const dictionary& subModels,
     const vector& g,
-    const label nCells
+    const label nCells,
+    const cellKernels* kernels
 )
 :
     g_(g),
     drag_(dragModel::New(subModels)),
-    carriers_(nCells),
+    kernels_(kernels),
+    nCells_(nCells),
+    volume_(nCells, Zero),
     impulse_(nCells, Zero),
     response_(nCells, Zero),
     e_(blockSize_),
@@ -25,6 +28,69 @@ Foam::cghs::suspension::suspension
     D_(blockSize_)
 {}
 
+
+void Foam::cghs::suspension::addColumns(arena& parcels)
+{
+    parcels.add(rates_);
+    rates_.UList<scalar>::operator=(Zero);
+
+    if (kernels_)
+    {
+        parcels.add(met_);
+        parcels.add(taken_);
+        taken_.UList<vector>::operator=(Zero);
+    }
+}
+
+// * * * * * * * * * * * * * * *  What is met * * * * * * * * * * * * * * * * //
+
+template<class Row>
+Row Foam::cghs::suspension::read
+(
+    const List<Row>& bySlot,
+    const arena& parcels,
+    const label i
+) const
+{
+    Row sum;
+
+    kernels_->visit
+    (
+        parcels.spheres[i].x,
+        parcels.cells[i],
+        [&](const label slot, const scalar share)
+        {
+            sum.add(share, bySlot[slot]);
+        }
+    );
+
+    return sum;
+}
+
+
+void Foam::cghs::suspension::meet
+(
+    const arena& parcels,
+    List<carrier>&& byCell
+)
+{
+    fluid_ = std::move(byCell);
+
+    if (!kernels_)
+    {
+        return;
+    }
+
+    kernels_->rings().fetch(fluid_);
+
+    for (label i = 0; i < parcels.size(); ++i)
+    {
+        met_[i] = read(fluid_, parcels, i);
+        taken_[i] = Zero;
+    }
+}
+
+// * * * * * * * * * * * * * * *  Solids steps  * * * * * * * * * * * * * * * //
 
 void Foam::cghs::suspension::startFluidStep()
 {
@@ -43,13 +109,13 @@ void Foam::cghs::suspension::findRates
     for (label k = 0; k < n; ++k)
     {
         const label i = from + k;
-        const carrier& c = carriers_[parcels.cells[i]];
+        const carrier& c = carrierOf(parcels, i);
 
-        e_[k] = c.voidage;
-        u_[k] = mag(c.u - parcels.motions[i].v);
+        e_[k] = c.voidage();
+        u_[k] = mag(c.u() - parcels.motions[i].v);
         d_[k] = parcels.diameters[i];
-        rho_[k] = c.rho;
-        mu_[k] = c.mu;
+        rho_[k] = c.rho();
+        mu_[k] = c.mu();
     }
 
     SubList<scalar> D(D_, n);
@@ -71,16 +137,25 @@ inline void Foam::cghs::suspension::accelerate
     const scalar time
 )
 {
-    const label celli = parcels.cells[i];
-    const carrier& c = carriers_[celli];
+    const carrier& c = carrierOf(parcels, i);
     motion& m = parcels.motions[i];
 
     const scalar K = rates_[i];
-    const vector field(g_ - (parcels.volume(i)*m.invMass)*c.gradP);
+    const vector u(c.u());
+    const vector field(g_ - (parcels.volume(i)*m.invMass)*c.gradP());
 
-    m.v = (m.v + time*(K*c.u + field))/(1 + time*K);
+    m.v = (m.v + time*(K*u + field))/(1 + time*K);
 
-    impulse_[celli] += (time*K/m.invMass)*(c.u - m.v);
+    const vector impulse((time*K/m.invMass)*(u - m.v));
+
+    if (kernels_)
+    {
+        taken_[i] += impulse;
+    }
+    else
+    {
+        impulse_[parcels.cells[i]] += impulse;
+    }
 }
 
 
@@ -110,7 +185,9 @@ void Foam::cghs::suspension::kickAgain
     const scalar fluidDeltaT
 )
 {
-    if (last)
+    const bool byCell = last && !kernels_;
+
+    if (byCell)
     {
         respondingCells_ = SubList<label>(parcels.cells, parcels.size());
     }
@@ -119,36 +196,115 @@ void Foam::cghs::suspension::kickAgain
     {
         accelerate(parcels, i, halfDeltaT);
 
-        if (last)
+        if (byCell)
         {
-            const scalar K = rates_[i];
-
-            response_[parcels.cells[i]] +=
-                K/((1 + fluidDeltaT*K)*parcels.motions[i].invMass);
+            response_[parcels.cells[i]] += responseOf(parcels, i, fluidDeltaT);
         }
     }
+}
+
+// * * * * * * * * * * * * * * *  What is left * * * * * * * * * * * * * * * //
+
+void Foam::cghs::suspension::sumInCells(const arena& parcels)
+{
+    volume_ = Zero;
+
+    for (label i = 0; i < parcels.size(); ++i)
+    {
+        volume_[parcels.cells[i]] += parcels.volume(i);
+    }
+}
+
+
+void Foam::cghs::suspension::spreadLoads
+(
+    const arena& parcels,
+    const scalar fluidDeltaT
+)
+{
+    List<cghs::load> sums(kernels_->rings().nSlots());
+
+    for (label i = 0; i < parcels.size(); ++i)
+    {
+        const cghs::load own
+        (
+            parcels.volume(i),
+            taken_[i],
+            responseOf(parcels, i, fluidDeltaT)
+        );
+
+        kernels_->visit
+        (
+            parcels.spheres[i].x,
+            parcels.cells[i],
+            [&](const label slot, const scalar share)
+            {
+                sums[slot].add(share, own);
+            }
+        );
+    }
+
+    kernels_->rings().collect(sums, plusEqRow<5>(), cghs::load());
+
+    for (label celli = 0; celli < nCells_; ++celli)
+    {
+        volume_[celli] = sums[celli].volume();
+        impulse_[celli] = sums[celli].impulse();
+        response_[celli] = sums[celli].response();
+    }
+}
+
+
+void Foam::cghs::suspension::load
+(
+    const arena& parcels,
+    const scalar fluidDeltaT
+)
+{
+    kernels_ ? spreadLoads(parcels, fluidDeltaT) : sumInCells(parcels);
+}
+
+
+inline Foam::vector Foam::cghs::suspension::answer
+(
+    const arena& parcels,
+    const label i,
+    const change& c,
+    const scalar fluidDeltaT
+) const
+{
+    const scalar K = rates_[i];
+    const scalar volumeByMass = parcels.volume(i)*parcels.motions[i].invMass;
+
+    return
+        fluidDeltaT
+       *((K/(1 + fluidDeltaT*K))*c.u() - volumeByMass*c.gradP());
 }
 
 
 void Foam::cghs::suspension::complete
 (
     arena& parcels,
-    const UList<vector>& dU,
-    const UList<vector>& dGradP,
+    List<change>&& byCell,
     const scalar fluidDeltaT
 ) const
 {
+    if (kernels_)
+    {
+        kernels_->rings().fetch(byCell);
+    }
+
     for (label i = 0; i < parcels.size(); ++i)
     {
-        const label celli = respondingCells_[i];
-        motion& m = parcels.motions[i];
-        const scalar K = rates_[i];
-
-        m.v +=
-            fluidDeltaT
-           *(
-                (K/(1 + fluidDeltaT*K))*dU[celli]
-              - (parcels.volume(i)*m.invMass)*dGradP[celli]
+        parcels.motions[i].v +=
+            answer
+            (
+                parcels,
+                i,
+                kernels_
+              ? read(byCell, parcels, i)
+              : byCell[respondingCells_[i]],
+                fluidDeltaT
             );
     }
 

@@ -11,6 +11,7 @@
 #include "constrainPressure.H"
 #include "fixedFluxPressureFvPatchScalarField.H"
 #include "checkedEntry.H"
+#include "localIOdictionary.H"
 #include "profiling.H"
 
 namespace Foam
@@ -48,16 +49,8 @@ static tmp<volScalarField> solidsMet(const cghsCloud& parcels)
 // * * * * * * * * * * * * * * * Construction  * * * * * * * * * * * * * * * //
 
 Foam::tmp<Foam::volScalarField>
-Foam::cghs::fluidModel::boundedVoidage(const volScalarField& theta)
+Foam::cghs::fluidModel::boundedVoidage(const volScalarField& theta) const
 {
-    nClipped_ = 0;
-
-    for (const scalar solids : theta.primitiveField())
-    {
-        nClipped_ += 1 - solids < minVoidage_;
-    }
-    reduce(nClipped_, sumOp<label>());
-
     return max(1 - theta, dimensionedScalar("minVoidage", dimless, minVoidage_));
 }
 
@@ -66,7 +59,8 @@ Foam::cghs::fluidModel::fluidModel
 (
     fvMesh& mesh,
     const dimensionedVector& g,
-    const cghsCloud& parcels
+    const cghsCloud& parcels,
+    const dimensionSet& pressure
 )
 :
     mesh_(mesh),
@@ -89,7 +83,6 @@ Foam::cghs::fluidModel::fluidModel
         mesh,
         dimensionedVector(dimPressure/dimLength, Zero)
     ),
-    nClipped_(0),
     continuityError_(0),
     U_
     (
@@ -113,6 +106,7 @@ Foam::cghs::fluidModel::fluidModel
     ),
     alphaf_("alphaf", fvc::interpolate(alpha_))
 {
+    checkPressure(pressure);
     mesh_.setFluxRequired(p_.name());
 
     // An old value is only kept from now on if it is asked for now
@@ -121,20 +115,35 @@ Foam::cghs::fluidModel::fluidModel
 }
 
 
-void Foam::cghs::fluidModel::checkPressure
-(
-    const dimensionSet& wanted,
-    const string& what
-) const
+Foam::dictionary Foam::cghs::fluidModel::fileOf(const volScalarField& field)
+{
+    return localIOdictionary
+    (
+        IOobject
+        (
+            field.name(),
+            field.time().timeName(),
+            field.mesh(),
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        ),
+        field.type()
+    );
+}
+
+
+void Foam::cghs::fluidModel::checkPressure(const dimensionSet& wanted) const
 {
     if (p_.dimensions() != wanted)
     {
-        FatalIOErrorInFunction(IOdictionary(p_))
-            << "Entry dimensions is " << p_.dimensions() << " but a fluid "
-            << type() << " takes " << what << ", " << wanted << nl
-            << "Mend p, or choose another fluid in the subdictionary solution"
-            << " of the cloud's properties. Valid choices:" << nl
-            << cloudConstructorTablePtr_->sortedToc() << nl
+        FatalIOErrorInFunction(fileOf(p_))
+            << "Entry dimensions is " << p_.dimensions()
+            << " but must be " << wanted << " for the "
+            << typeName << " that is chosen" << nl
+            << "Mend p, or choose another " << typeName
+            << " in the solution of the cloud's properties: incompressible"
+            << " takes p over the density, isothermalGas p" << nl
             << exit(FatalIOError);
     }
 }
@@ -411,6 +420,5 @@ Foam::tmp<Foam::volVectorField> Foam::cghs::fluidModel::dGradP() const
 void Foam::cghs::fluidModel::report(Ostream& os) const
 {
     os  << "fluid:  Courant number " << courantNumber()
-        << ", volume defect " << continuityError_ << ", voidage clipped in "
-        << nClipped_ << " cells" << nl;
+        << ", volume defect " << continuityError_ << nl;
 }

@@ -44,7 +44,7 @@ Foam::cghs::incompressibleFluid::incompressibleFluid
     const cghsCloud& parcels
 )
 :
-    fluidModel(mesh, g, parcels),
+    fluidModel(mesh, g, parcels, dimPressure/dimDensity),
     alphaPhi_("alphaPhi", alphaf_*phi_),
     transport_(U_, phi_),
     density_(densityOf(transport_)),
@@ -58,7 +58,6 @@ Foam::cghs::incompressibleFluid::incompressibleFluid
     pRefCell_(0),
     pRefValue_(0)
 {
-    checkPressure(dimPressure/dimDensity, "the pressure over the density");
     setRefCell(p_, pisoDict(), pRefCell_, pRefValue_);
 
     turbulence_ =

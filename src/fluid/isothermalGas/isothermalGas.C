@@ -16,9 +16,77 @@ namespace cghs
     addToRunTimeSelectionTable(fluidModel, isothermalGas, cloud);
 
 
-//- psi must not depend on the pressure
-static autoPtr<psiThermo> idealGas(const fvMesh& mesh)
+//- Stop unless a field that the case gives is above zero
+static void checkAboveZero(const volScalarField& field, const char* meaning)
 {
+    const scalar lowest = gMin(field.primitiveField());
+
+    if (!(lowest > 0))
+    {
+        FatalIOErrorInFunction(fluidModel::fileOf(field))
+            << "Entry internalField goes down to " << lowest
+            << " but must be greater than zero: " << meaning << nl
+            << exit(FatalIOError);
+    }
+}
+
+
+//- Before thermodynamics divide by it
+static void checkTemperature(const fvMesh& mesh)
+{
+    checkAboveZero
+    (
+        volScalarField
+        (
+            IOobject
+            (
+                "T",
+                mesh.time().timeName(),
+                mesh,
+                IOobject::MUST_READ,
+                IOobject::NO_WRITE,
+                false
+            ),
+            mesh
+        ),
+        "T is the absolute temperature [K], e.g. 293"
+    );
+}
+
+
+static void checkFile(const fvMesh& mesh, const dictionary& solution)
+{
+    IOobject file
+    (
+        basicThermo::dictName,
+        mesh.time().constant(),
+        mesh,
+        IOobject::MUST_READ
+    );
+
+    if (!file.typeHeaderOk<IOdictionary>(true))
+    {
+        FatalIOErrorInFunction(solution)
+            << "Entry " << fluidModel::typeName << " is "
+            << isothermalGas::typeName << " but there is no file "
+            << file.objectPath() << nl
+            << "Write one, see isothermalGas.H, or choose incompressible" << nl
+            << exit(FatalIOError);
+    }
+}
+
+
+//- The gas of the case's dictionary. Its density is psi p, with psi that does
+//  not depend on p
+static autoPtr<psiThermo> idealGas
+(
+    const fvMesh& mesh,
+    const dictionary& solution
+)
+{
+    checkFile(mesh, solution);
+    checkTemperature(mesh);
+
     autoPtr<psiThermo> thermo(psiThermo::New(mesh));
 
     if (thermo->type().find("perfectGas") == std::string::npos)
@@ -47,8 +115,8 @@ Foam::cghs::isothermalGas::isothermalGas
     const cghsCloud& parcels
 )
 :
-    fluidModel(mesh, g, parcels),
-    thermo_((checkPressure(dimPressure, "the pressure"), idealGas(mesh))),
+    fluidModel(mesh, g, parcels, dimPressure),
+    thermo_(idealGas(mesh, parcels.properties().subDict("solution"))),
     rho_
     (
         IOobject
@@ -67,7 +135,7 @@ Foam::cghs::isothermalGas::isothermalGas
     mass_(massNow()),
     massDefect_(0)
 {
-    checkPositivePressure();
+    checkAboveZero(p_, "p is the absolute pressure [Pa], e.g. 101325");
 
     turbulence_ =
         turbulenceModel::New
@@ -83,25 +151,6 @@ Foam::cghs::isothermalGas::isothermalGas
     p_.oldTime();
     rho_.oldTime();
     thermo_->psi().oldTime();
-}
-
-
-void Foam::cghs::isothermalGas::checkPositivePressure() const
-{
-    const scalar lowest = gMin(p_.primitiveField());
-
-    if (!(lowest > 0))
-    {
-        FatalErrorInFunction
-            << "The lowest pressure at time " << mesh().time().timeName()
-            << " is " << lowest << " Pa, but that of an ideal gas is"
-            << " above zero" << nl
-            << "At the start: p is the absolute pressure, see file "
-            << p_.objectPath() << nl
-            << "Later: the run has gone out of hand. Lower maxCo or maxDeltaT,"
-            << " raise nCorrectors of PISO" << nl
-            << exit(FatalError);
-    }
 }
 
 
@@ -147,7 +196,16 @@ Foam::cghs::isothermalGas::continuityDefect() const
 
 void Foam::cghs::isothermalGas::finishStep()
 {
-    checkPositivePressure();
+    const scalar lowest = gMin(p_.primitiveField());
+
+    if (!(lowest > 0))
+    {
+        FatalErrorInFunction
+            << "The pressure of the gas has fallen to " << lowest
+            << " Pa: the run has gone out of hand." << nl
+            << "Lower maxCo or maxDeltaT, or raise nCorrectors of PISO" << nl
+            << exit(FatalError);
+    }
 
     scalar outflow = 0;
     for (const fvsPatchScalarField& flux : alphaRhoPhi_.boundaryField())

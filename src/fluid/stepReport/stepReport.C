@@ -48,7 +48,7 @@ void Foam::cghs::stepReport::writeRow
 (
     const census& c,
     const stepLog& log,
-    const label nClipped,
+    const label nCrowded,
     const scalar continuityError
 )
 {
@@ -84,7 +84,7 @@ void Foam::cghs::stepReport::writeRow
         << token::SPACE << log.maxOverlap
         << token::SPACE << log.correctionWork
         << token::SPACE << log.nSolidsSteps
-        << token::SPACE << nClipped
+        << token::SPACE << nCrowded
         << token::SPACE << continuityError
         << token::SPACE << escaped
         << token::SPACE << parcels_.massFed() << nl;
@@ -107,7 +107,7 @@ void Foam::cghs::stepReport::write
     const census c(parcels_.count());
     const stepLog& log = parcels_.log();
 
-    const label nClipped = fluid.valid() ? fluid->nClipped() : 0;
+    const label nCrowded = fluid.valid() ? log.nCrowdedCells : 0;
     const scalar defect = fluid.valid() ? fluid->continuityError() : 0;
 
     os  << "solids: " << log.nSolidsSteps << " steps of at least "
@@ -115,7 +115,8 @@ void Foam::cghs::stepReport::write
         << c.nParcels << " parcels, " << c.mass << " kg" << nl
         << "        granular temperature " << c.granularTemperature()
         << ", largest overlap " << 100*log.maxOverlap
-        << " % of d, correction work " << log.correctionWork << " J" << nl;
+        << " % of d, correction work " << log.correctionWork << " J, "
+        << log.nCrowdedCells << " cells too full" << nl;
     parcels_.reportFeeding(os);
 
     if (fluid.valid())
@@ -123,5 +124,5 @@ void Foam::cghs::stepReport::write
         fluid->report(os);
     }
 
-    writeRow(c, log, nClipped, defect);
+    writeRow(c, log, nCrowded, defect);
 }

@@ -5,7 +5,6 @@
 
 #include "diffusion.H"
 #include "checkedEntry.H"
-#include "fvcSurfaceIntegrate.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -18,8 +17,13 @@ namespace cghs
     //- More steps than this are not taken: they would cost more than the flow
     constexpr label maxSteps = 30;
 
-    //- Share of a cell's content that may leave it in a step
-    constexpr scalar maxShare = 0.9;
+    //- What the kernels spread as a Gaussian of width b would, b^2 over the
+    //  square of the cell's side
+    constexpr scalar kernelWidthSqr = 0.41;
+
+    //- Least width in parcel diameters: there touching parcels, packed as
+    //  densely as spheres can be, fill the cells in their middle
+    constexpr scalar leastWidth = 0.48;
 }
 }
 
@@ -32,63 +36,58 @@ Foam::cghs::diffusion::diffusion
 )
 :
     mesh_(mesh),
-    nSteps_(0),
-    conductance_
-    (
-        IOobject
-        (
-            "diffusionConductance",
-            mesh.time().timeName(),
-            mesh,
-            IOobject::NO_READ,
-            IOobject::NO_WRITE,
-            false
-        ),
-        mesh,
-        dimensionedScalar(dimVolume, Zero)
-    )
+    kernels_(mesh),
+    faces_(mesh),
+    nSteps_(0)
 {
     const scalar width = scalarInRange(dict, "width", 0, GREAT);
 
+    checkWidth(dict, width, parcelDiameter);
     setSteps(sqr(width*parcelDiameter)/4);
+}
+
+
+void Foam::cghs::diffusion::checkWidth
+(
+    const dictionary& dict,
+    const scalar width,
+    const scalar parcelDiameter
+) const
+{
+    // The thickness of a two-dimensional mesh is no length of the flow
+    if (mesh_.nGeometricD() < 3 || parcelDiameter <= 0)
+    {
+        return;
+    }
+
+    const scalar side = cbrt(gMin(mesh_.V().field()));
+    const scalar needed =
+        sqr(leastWidth) - kernelWidthSqr*sqr(side/parcelDiameter);
+
+    if (sqr(width) < needed)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry width is " << width << " parcel diameters but must be"
+            << " at least " << Foam::sqrt(needed) << nl
+            << "The largest parcel is " << parcelDiameter << " m wide, the"
+            << " smallest cell " << side << " m:" << nl
+            << "a narrower kernel would leave less than no voidage in a packed"
+            << " bed. Increase width, or take larger cells" << nl
+            << exit(FatalIOError);
+    }
 }
 
 
 void Foam::cghs::diffusion::setSteps(const scalar time)
 {
-    // Conductance per unit of pseudo-time: only faces with cells on both
-    // sides pass anything
-    conductance_ == mesh_.magSf()*mesh_.nonOrthDeltaCoeffs()
-       *dimensionedScalar("area", dimArea, 1);
-
-    for (fvsPatchScalarField& patch : conductance_.boundaryFieldRef())
+    if (time <= 0)
     {
-        if (!patch.coupled())
-        {
-            patch = 0;
-        }
+        return;
     }
 
-    // What a cell can stand: the pseudo-time in which maxShare of it leaves
-    volScalarField limit
-    (
-        IOobject("limit", mesh_.time().timeName(), mesh_),
-        mesh_,
-        dimensionedScalar("limit", dimless, GREAT)
-    );
+    const scalar needed = time/faces_.limit();
 
-    const tmp<volScalarField> toutflow(fvc::surfaceSum(conductance_));
-    const scalarField& outflow = toutflow().primitiveField();
-
-    forAll(outflow, c)
-    {
-        limit[c] = maxShare*mesh_.V()[c]/max(outflow[c], VSMALL);
-    }
-    limit.correctBoundaryConditions();
-
-    const scalar needed = time/gMin(limit.primitiveField());
-
-    nSteps_ = time > 0 ? min(label(min(needed, scalar(1e6))) + 1, maxSteps) : 0;
+    nSteps_ = min(label(min(needed, scalar(1e6))) + 1, maxSteps);
 
     if (nSteps_ == maxSteps)
     {
@@ -98,92 +97,23 @@ void Foam::cghs::diffusion::setSteps(const scalar time)
             << " are taken, and those cells spread less" << endl;
     }
 
-    const scalar step = time/max(nSteps_, 1);
-    const labelUList& owner = mesh_.owner();
-    const labelUList& neighbour = mesh_.neighbour();
-
-    forAll(owner, facei)
-    {
-        conductance_[facei] *=
-            min(step, min(limit[owner[facei]], limit[neighbour[facei]]));
-    }
-
-    forAll(conductance_.boundaryField(), patchi)
-    {
-        fvsPatchScalarField& patch = conductance_.boundaryFieldRef()[patchi];
-
-        if (patch.coupled())
-        {
-            const fvPatchScalarField& l = limit.boundaryField()[patchi];
-
-            patch *=
-                min
-                (
-                    step,
-                    min(l.patchInternalField(), l.patchNeighbourField())
-                );
-        }
-    }
-}
-
-
-template<class Type>
-void Foam::cghs::diffusion::spreadType
-(
-    GeometricField<Type, fvPatchField, volMesh>& field
-) const
-{
-    const labelUList& owner = mesh_.owner();
-    const labelUList& neighbour = mesh_.neighbour();
-    Field<Type> change(mesh_.nCells());
-
-    for (label step = 0; step < nSteps_; ++step)
-    {
-        change = Zero;
-
-        forAll(owner, facei)
-        {
-            const Type flow =
-                conductance_[facei]
-               *(field[neighbour[facei]] - field[owner[facei]]);
-
-            change[owner[facei]] += flow;
-            change[neighbour[facei]] -= flow;
-        }
-
-        forAll(field.boundaryField(), patchi)
-        {
-            const fvPatchField<Type>& patch = field.boundaryField()[patchi];
-
-            if (patch.coupled())
-            {
-                const labelUList& cells = patch.patch().faceCells();
-                const Field<Type> flow
-                (
-                    conductance_.boundaryField()[patchi]
-                   *(patch.patchNeighbourField() - patch.patchInternalField())
-                );
-
-                forAll(cells, i)
-                {
-                    change[cells[i]] += flow[i];
-                }
-            }
-        }
-
-        field.primitiveFieldRef() += change/mesh_.V();
-        field.correctBoundaryConditions();
-    }
+    faces_.setStep(time/nSteps_);
 }
 
 
 void Foam::cghs::diffusion::spread(volScalarField& field) const
 {
-    spreadType(field);
+    for (label step = 0; step < nSteps_; ++step)
+    {
+        faces_.step(field);
+    }
 }
 
 
 void Foam::cghs::diffusion::spread(volVectorField& field) const
 {
-    spreadType(field);
+    for (label step = 0; step < nSteps_; ++step)
+    {
+        faces_.step(field);
+    }
 }
