@@ -48,7 +48,7 @@ class Bed(FluidisedBed):
             folder for folder in self.tables
             if float(folder.name) > start + 1e-6
         ]
-        if len(self.averaged) > 2 * max(BLOCKS):
+        if len(self.averaged) >= 2 * max(BLOCKS):
             self.window = (start, float(self.averaged[-1].name))
 
     def _option(self, name):
@@ -61,6 +61,19 @@ class Bed(FluidisedBed):
 
     def _count_of_parcels(self):
         return int(number(self.case / "constant" / "method", "nParcels"))
+
+    def overlap_limit(self):
+        """Largest overlap to expect, over the diameter, and why: of two hard
+        spheres that each moved by maxDisplacement, or of two soft ones that
+        meet at 4 m/s."""
+        method = self.case / "constant" / "method"
+        stiffness = number(method, "springConstant", 0)
+        if not stiffness:
+            return 0.2, "limit: two parcels, 0.1 d a step each"
+        mass = self.mass / self.n_parcels
+        d = self.diameter * self.weight_of_parcel**(1 / 3)
+        return (4 * np.sqrt(0.5 * mass / stiffness) / d,
+                "limit: two parcels that meet at 4 m/s")
 
     # Profiles
 
