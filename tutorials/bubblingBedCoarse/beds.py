@@ -93,12 +93,14 @@ class Bed(FluidisedBed):
             rows.insert(0, np.zeros_like(rows[0]))
         return table[:, 0], np.array(rows)
 
-    def profile(self, name):
+    def profile(self, name, folded=False):
         """x [m]; solids fraction [-] and vertical velocity [m/s] of a profile:
         mean over the window and standard error of each. The velocity is by mass:
-        flux over fraction."""
+        flux over fraction. Folded: mean of both sides of the middle."""
         x, sums = self._cumulated(name)
         frames = np.diff(sums, axis=0)
+        if folded:
+            frames = 0.5 * (frames + frames[..., ::-1])
         length = (self.window[1] - self.window[0]) / len(frames)
 
         def fractions(n):
@@ -150,10 +152,11 @@ class Bed(FluidisedBed):
 
 
 def difference(bed, reference, name, quantity):
-    """Root mean square, along a profile, of the difference between two runs;
-    and what of it their standard errors alone would make."""
-    mean, error = bed.profile(name)[quantity]
-    mean0, error0 = reference.profile(name)[quantity]
+    """Root mean square, along a profile folded about the middle, of the
+    difference between two runs; and what of it their standard errors alone
+    would make."""
+    mean, error = bed.profile(name, folded=True)[quantity]
+    mean0, error0 = reference.profile(name, folded=True)[quantity]
     return (np.sqrt(((mean - mean0)**2).mean()),
             np.sqrt((error**2 + error0**2).mean()))
 
