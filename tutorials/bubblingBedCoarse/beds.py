@@ -48,7 +48,7 @@ class Bed(FluidisedBed):
             folder for folder in self.tables
             if float(folder.name) > start + 1e-6
         ]
-        if len(self.averaged) > 2 * max(BLOCKS):
+        if len(self.averaged) >= 2 * max(BLOCKS):
             self.window = (start, float(self.averaged[-1].name))
 
     def _option(self, name):
@@ -61,6 +61,19 @@ class Bed(FluidisedBed):
 
     def _count_of_parcels(self):
         return int(number(self.case / "constant" / "method", "nParcels"))
+
+    def overlap_limit(self):
+        """Largest overlap to expect, over the diameter, and why: of two hard
+        spheres that each moved by maxDisplacement, or of two soft ones that
+        meet at 4 m/s."""
+        method = self.case / "constant" / "method"
+        stiffness = number(method, "springConstant", 0)
+        if not stiffness:
+            return 0.2, "limit: two parcels, 0.1 d a step each"
+        mass = self.mass / self.n_parcels
+        d = self.diameter * self.weight_of_parcel**(1 / 3)
+        return (4 * np.sqrt(0.5 * mass / stiffness) / d,
+                "limit: two parcels that meet at 4 m/s")
 
     # Profiles
 
@@ -80,12 +93,14 @@ class Bed(FluidisedBed):
             rows.insert(0, np.zeros_like(rows[0]))
         return table[:, 0], np.array(rows)
 
-    def profile(self, name):
+    def profile(self, name, folded=False):
         """x [m]; solids fraction [-] and vertical velocity [m/s] of a profile:
         mean over the window and standard error of each. The velocity is by mass:
-        flux over fraction."""
+        flux over fraction. Folded: mean of both sides of the middle."""
         x, sums = self._cumulated(name)
         frames = np.diff(sums, axis=0)
+        if folded:
+            frames = 0.5 * (frames + frames[..., ::-1])
         length = (self.window[1] - self.window[0]) / len(frames)
 
         def fractions(n):
@@ -137,10 +152,11 @@ class Bed(FluidisedBed):
 
 
 def difference(bed, reference, name, quantity):
-    """Root mean square, along a profile, of the difference between two runs;
-    and what of it their standard errors alone would make."""
-    mean, error = bed.profile(name)[quantity]
-    mean0, error0 = reference.profile(name)[quantity]
+    """Root mean square, along a profile folded about the middle, of the
+    difference between two runs; and what of it their standard errors alone
+    would make."""
+    mean, error = bed.profile(name, folded=True)[quantity]
+    mean0, error0 = reference.profile(name, folded=True)[quantity]
     return (np.sqrt(((mean - mean0)**2).mean()),
             np.sqrt((error**2 + error0**2).mean()))
 

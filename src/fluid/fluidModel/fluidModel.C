@@ -65,6 +65,11 @@ Foam::cghs::fluidModel::fluidModel
 :
     mesh_(mesh),
     reconstruct_(mesh),
+    yield_
+    (
+        mesh,
+        parcels.coupling() == cghsCloud::couplingType::twoWay
+    ),
     piso_(mesh),
     g_(g),
     minVoidage_
@@ -205,6 +210,42 @@ void Foam::cghs::fluidModel::setSolids(const volScalarField& theta)
 }
 
 
+void Foam::cghs::fluidModel::setYield
+(
+    const volScalarField& byVelocity,
+    const volScalarField& byGradient
+)
+{
+    yield_.start
+    (
+        byVelocity,
+        momentumDensity()*byGradient,
+        phi_,
+        faceGradP()
+    );
+}
+
+
+Foam::tmp<Foam::surfaceScalarField>
+Foam::cghs::fluidModel::faceGradP() const
+{
+    return fvc::snGrad(p_)*mesh_.magSf();
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::cghs::fluidModel::wholeFlux()
+{
+    tmp<surfaceScalarField> tflux(new surfaceScalarField(contentFlux()));
+
+    if (yield_.active())
+    {
+        tflux.ref() += contentf()/alphaf_*yield_.flux();
+    }
+
+    return tflux;
+}
+
+
 bool Foam::cghs::fluidModel::pressureBalances(const label patchi) const
 {
     return
@@ -293,12 +334,22 @@ void Foam::cghs::fluidModel::correctPressure
     phiHbyA += gravity;
     constrainPressure(p_, U_, phiHbyA, alpharAUf);
 
+    surfaceScalarField mobility("mobility", content*alpharAUf);
+    surfaceScalarField predicted("predicted", content*phiHbyA);
+
+    if (yield_.active())
+    {
+        const surfaceScalarField filling(content/alphaf_);
+
+        mobility += filling*yield_.mobility(alpharAUf);
+        predicted += filling*yield_.rest(phiHbyA);
+    }
+
     while (piso_.correctNonOrthogonal())
     {
         fvScalarMatrix pEqn
         (
-            fvm::laplacian(content*alpharAUf, p_)
-         == fvc::div(content*phiHbyA)
+            fvm::laplacian(mobility, p_) == fvc::div(predicted)
         );
         addStorage(pEqn);
 
@@ -311,7 +362,8 @@ void Foam::cghs::fluidModel::correctPressure
 
         if (piso_.finalNonOrthogonalIter())
         {
-            const surfaceScalarField pFlux(pEqn.flux()/content);
+            const surfaceScalarField gradient(pEqn.flux()/mobility);
+            const surfaceScalarField pFlux(alpharAUf*gradient);
 
             // The result at such a patch is the given velocity, to the last
             // digit
@@ -324,6 +376,11 @@ void Foam::cghs::fluidModel::correctPressure
                     -> const fvPatchVectorField& { return values; }
             );
             contentFlux() = content*phi_;
+
+            if (yield_.active())
+            {
+                yield_.update(phi_, gradient);
+            }
 
             pressureSolved();
 
@@ -368,7 +425,7 @@ void Foam::cghs::fluidModel::solve(fvVectorMatrix& UEqn)
          ==
             reconstruct_
             (
-                gravity/rAUf - alphaf_*fvc::snGrad(p_)*mesh_.magSf()
+                gravity/rAUf - alphaf_*faceGradP()
             )
         );
     }
@@ -378,7 +435,7 @@ void Foam::cghs::fluidModel::solve(fvVectorMatrix& UEqn)
         correctPressure(UEqn, rAU, rAUf, gravity);
     }
 
-    tmp<volScalarField> defect(contentGain());
+    tmp<volScalarField> defect(contentGain(wholeFlux()));
     if (source_.valid())
     {
         defect.ref() -= source_();
@@ -386,6 +443,11 @@ void Foam::cghs::fluidModel::solve(fvVectorMatrix& UEqn)
     continuityError_ =
         gMax(mag(defect().primitiveField())())
        *mesh_.time().deltaTValue()/fullContent();
+
+    if (yield_.active())
+    {
+        yield_.finish();
+    }
 
     finishStep();
 }
@@ -427,7 +489,7 @@ Foam::scalar Foam::cghs::fluidModel::totalSource() const
 
 Foam::tmp<Foam::volVectorField> Foam::cghs::fluidModel::gradPNow() const
 {
-    return momentumDensity()*reconstruct_(fvc::snGrad(p_)*mesh_.magSf());
+    return momentumDensity()*reconstruct_(faceGradP());
 }
 
 

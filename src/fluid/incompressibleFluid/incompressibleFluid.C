@@ -99,9 +99,12 @@ void Foam::cghs::incompressibleFluid::addStorage(fvScalarMatrix& pEqn) const
 
 
 Foam::tmp<Foam::volScalarField>
-Foam::cghs::incompressibleFluid::contentGain() const
+Foam::cghs::incompressibleFluid::contentGain
+(
+    const surfaceScalarField& flux
+) const
 {
-    return fvc::ddt(alpha_) + fvc::div(alphaPhi_);
+    return fvc::ddt(alpha_) + fvc::div(flux);
 }
 
 

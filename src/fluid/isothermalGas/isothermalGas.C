@@ -188,9 +188,12 @@ void Foam::cghs::isothermalGas::pressureSolved()
 
 
 Foam::tmp<Foam::volScalarField>
-Foam::cghs::isothermalGas::contentGain() const
+Foam::cghs::isothermalGas::contentGain
+(
+    const surfaceScalarField& flux
+) const
 {
-    return fvc::ddt(alpha_, rho_) + fvc::div(alphaRhoPhi_);
+    return fvc::ddt(alpha_, rho_) + fvc::div(flux);
 }
 
 

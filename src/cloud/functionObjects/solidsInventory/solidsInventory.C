@@ -5,6 +5,7 @@
 
 #include "solidsInventory.H"
 #include "cghsCloud.H"
+#include "meshNames.H"
 #include "PstreamReduceOps.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -70,7 +71,6 @@ bool Foam::cghs::solidsInventory::read(const dictionary& dict)
 
 void Foam::cghs::solidsInventory::findZones(const dictionary& dict)
 {
-    const cellZoneMesh& zones = mesh_.cellZones();
     const wordList wanted(dict.get<wordList>("cellZones"));
 
     zones_.resize(wanted.size());
@@ -78,17 +78,10 @@ void Foam::cghs::solidsInventory::findZones(const dictionary& dict)
 
     forAll(wanted, i)
     {
-        zones_[i] = zones.findZoneID(wanted[i]);
+        zones_[i] = cellZoneNamed(wanted[i], "cellZones", dict, mesh_);
 
-        if (zones_[i] < 0)
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entry cellZones: there is no cellZone " << wanted[i] << nl
-                << "Valid choices: " << zones.names() << nl
-                << exit(FatalIOError);
-        }
         inZone_[i] = boolList(mesh_.nCells(), false);
-        UIndirectList<bool>(inZone_[i], zones[zones_[i]]) = true;
+        UIndirectList<bool>(inZone_[i], mesh_.cellZones()[zones_[i]]) = true;
     }
 }
 
