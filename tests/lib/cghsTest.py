@@ -66,7 +66,7 @@ def _folders(case, time):
     return ranks
 
 
-def _read(path):
+def read(path):
     """Text of a file, packed or not, without comments and FoamFile header."""
     packed = path.with_name(path.name + ".gz")
     if path.exists():
@@ -142,7 +142,7 @@ def _entry(text, name):
 def field(case, time, name):
     """Cell values of a field, or the one value of a uniform field."""
     parts = [
-        _entry(_read(folder / name), "internalField")
+        _entry(read(folder / name), "internalField")
         for folder in _folders(case, time)
     ]
     return parts[0] if len(parts) == 1 else np.concatenate(parts)
@@ -150,7 +150,7 @@ def field(case, time, name):
 
 def patch_field(case, time, name, patch):
     """Face values of a field on a patch (reconstructed cases only)."""
-    text = _read(_folders(case, time)[0] / name)
+    text = read(_folders(case, time)[0] / name)
     boundary = text[text.index("boundaryField"):]
     match = re.search(rf"\b{patch}\s*\{{(.*?)\n\s*\}}", boundary, re.S)
     if not match:
@@ -164,16 +164,16 @@ def patch_field(case, time, name, patch):
 def cloud_field(case, time, cloud, name):
     """Values of a cloud's field, one row a parcel, rank after rank."""
     parts = [
-        _list(_read(folder / "lagrangian" / cloud / name))
+        _list(read(folder / "lagrangian" / cloud / name))
         for folder in _folders(case, time)
-        if _has(folder / "lagrangian" / cloud / name)
+        if has(folder / "lagrangian" / cloud / name)
     ]
     if not parts:
         raise FileNotFoundError(f"{case}/{time}/lagrangian/{cloud}/{name}")
     return np.concatenate([part for part in parts if part.size] or parts[:1])
 
 
-def _has(path):
+def has(path):
     return path.exists() or path.with_name(path.name + ".gz").exists()
 
 
@@ -182,10 +182,10 @@ def positions(case, time, cloud):
     parts = []
     for folder in _folders(case, time):
         path = folder / "lagrangian" / cloud / "positions"
-        if _has(path):
+        if has(path):
             rows = re.findall(
                 rf"\(\s*({_NUMBER})\s+({_NUMBER})\s+({_NUMBER})\s*\)",
-                _read(path),
+                read(path),
             )
             parts.append(np.array(rows, float).reshape(-1, 3))
     if not parts:
@@ -221,10 +221,13 @@ def log_values(path, text):
 
 def table(path):
     """Numbers of a function object's table, one row a time; vectors count as
-    three columns."""
+    three columns. A last row that an interrupted run left unfinished is not
+    read."""
     rows = [
         _numbers(line)
         for line in Path(path).read_text().splitlines()
         if line.strip() and not line.lstrip().startswith("#")
     ]
+    if len(rows) > 1 and len(rows[-1]) < len(rows[0]):
+        rows.pop()
     return np.array(rows)

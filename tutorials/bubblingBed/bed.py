@@ -12,12 +12,6 @@ import re
 import sys
 from pathlib import Path
 
-try:
-    import numpy as np
-except ImportError:
-    sys.exit("bubblingBed: python3 has no numpy; remedy: "
-             "apt-get install python3-numpy python3-matplotlib")
-
 # The project that this case, or the copy of it, lies in
 PROJECT = next(
     (folder for folder in Path(__file__).resolve().parents
@@ -25,128 +19,21 @@ PROJECT = next(
     None,
 )
 if PROJECT is None:
-    sys.exit(f"bubblingBed: {Path(__file__).parent} is not within a cghsFoam")
+    sys.exit(f"{Path(__file__).parent} is not within a cghsFoam")
 
-sys.path.append(str(PROJECT / "tests" / "lib"))
-import cghsTest as of  # noqa: E402
+sys.path.append(str(PROJECT / "tutorials" / "lib"))
+from fluidisedBed import FluidisedBed  # noqa: E402
+from tutorial import BLOCKS, block_error, np, of, stop  # noqa: E402
 
 HEIGHTS = (0.025, 0.055, 0.085)  # [m] at which the chapter shows the flux
 
-# Over so many blocks the statistical error of a mean is estimated, and the
-# largest of the estimates is taken: the bed pulsates at about 3 Hz, and blocks
-# that are no multiple of its period alone would flatter or scold it
-BLOCKS = (5, 6, 8, 10)
 
-
-def _number(path, name):
-    """The first number after an entry's name in a dictionary."""
-    match = re.search(rf"\b{name}\s+({of._NUMBER})", path.read_text())
-    if not match:
-        sys.exit(f"bubblingBed: {path} has no number {name}")
-    return float(match[1])
-
-
-def _vector(text, after):
-    match = re.search(after + r"\s*\(([^()]*)\)", text)
-    return np.array(match[1].split(), float)
-
-
-class Bed:
-    """A run. Lengths in m, pressures in Pa, times in s."""
+class Bed(FluidisedBed):
+    """A run, with its fields at the times that were written."""
 
     def __init__(self, case):
-        self.case = Path(case)
-        self._read_inputs()
-        self._read_series()
-        self._read_frames()
-        self._set_windows()
-
-    # Inputs, all from the case's own dictionaries
-
-    def _read_inputs(self):
-        constant = self.case / "constant"
-        parcels = constant / "parcelsProperties"
-        self.diameter = _number(parcels, "diameter")
-        self.density = _number(parcels, "density")
-        self.gas_density = _number(constant / "transportProperties", "rho")
-        gravity = _vector((constant / "g").read_text(), r"\bvalue")
-        self.g = float(np.linalg.norm(gravity))
-
-        mesh = (self.case / "system" / "blockMeshDict").read_text()
-        scale = float(re.search(r"\bscale\s+(\S+);", mesh)[1])
-        corners = re.findall(r"\(\s*(\d+) (\d+) (\d+)\s*\)(?=[\s(])", mesh)
-        self.size = scale * np.array(corners[:8], float).max(axis=0)
-        self.cells = _vector(mesh, r"hex\s*\([^()]*\)").astype(int)
-        self.area = self.size[0] * self.size[2]
-
-        fill = self.case / "system" / "fillParcelsDict"
-        self.n_parcels = int(_number(fill, "number"))
-        volume = np.pi / 6 * self.diameter**3
-        self.solids_volume = self.n_parcels * volume
-        self.mass = self.solids_volume * self.density
-        buoyant = self.solids_volume * (self.density - self.gas_density)
-        self.weight = buoyant * self.g / self.area  # [Pa]
-
-        options = self.case / "system" / "runOptions"
-        text = options.read_text() if options.exists() else ""
-        self.average_from = _number(
-            options if "averageFrom" in text
-            else self.case / "system" / "controlDict", "averageFrom")
-
-        inlet = (self.case / "0.orig" / "U").read_text()
-        self.gas_velocity = float(
-            re.search(r'valueExpr\s+"vector\(0, ([\d.]+)', inlet)[1]
-        )
-
-    # Series in time
-
-    def _series(self, folder):
-        """The tables of a function object. A run that was continued has left
-        one from each start: what came later stands."""
-        files = sorted(
-            (self.case / "postProcessing" / folder).glob("*/*.dat"),
-            key=lambda path: path.stat().st_mtime,
-        )
-        rows = np.empty((0, 0))
-        for path in files:
-            new = of.table(path)
-            if not new.size:
-                continue
-            old = rows[rows[:, 0] < new[0, 0]] if rows.size else new[:0]
-            rows = np.vstack([old, new])
-        if not rows.size:
-            sys.exit(f"bubblingBed: {self.case} has no table of {folder}: "
-                     "run ./Allrun first")
-        return rows
-
-    def _read_series(self):
-        table = next(
-            (self.case / "postProcessing" / "parcels").glob("*/parcels.dat"),
-            None,
-        )
-        rows = self._series("parcels")
-        names = table.read_text().splitlines()[0].lstrip("# ").split()
-        self.parcels = dict(zip(names, rows.T))
-        self.time = self.parcels["time"]
-        self.dt = np.diff(self.time, prepend=0)
-
-        # The full pressure drop, less the weight of the gas in the column
-        column = self.gas_density * self.g * self.size[1]
-        self.pressure_drop = (
-            self.gas_density * self._at_steps("inletPressure") - column
-        )
-        self.inflow = -self._at_steps("inletFlow") / self.area
-        self.outflow = self._at_steps("outletFlow") / self.area
-
-    def _at_steps(self, folder):
-        """A function object's value at the times of the parcels' table."""
-        rows = self._series(folder)
-        return np.interp(self.time, rows[:, 0], rows[:, 1])
-
-    # Fields at the times that were written
-
-    def _read_frames(self):
-        self.frames = [t for t in of.times(self.case) if float(t) > 0]
+        super().__init__(case)
+        self._set_window()
 
     def cell_field(self, time, name):
         """A field as [x, y, z] (and component)."""
@@ -155,15 +42,7 @@ class Bed:
         shape = tuple(self.cells[::-1]) + tail
         return values.reshape(shape).swapaxes(0, 2)
 
-    def centres(self, axis):
-        n = self.cells[axis]
-        return (np.arange(n) + 0.5) * self.size[axis] / n
-
-    def _set_windows(self):
-        on = self.inflow > 1e-6 * self.gas_velocity
-        self.gas_on = float(self.time[on][0]) if on.any() else None
-        self.end = float(self.time[-1])
-
+    def _set_window(self):
         averaged = [
             t for t in self.frames
             if float(t) > self.average_from - 1e-6
@@ -174,7 +53,6 @@ class Bed:
         if len(averaged) > 1 and self._duration(averaged[0]) > min(
                 0.02, self._duration(averaged[1])):
             del averaged[0]
-        self.window = None
         if len(averaged) > 2 * max(BLOCKS):
             self.window = (float(averaged[0]), float(averaged[-1]))
 
@@ -190,30 +68,6 @@ class Bed:
             return [last]
         return list(dict.fromkeys([rest, max(late, key=centre), last]))
 
-    def rest(self):
-        """The last time written before the gas came on, if there is one."""
-        if self.gas_on is None:
-            return None
-        before = [t for t in self.frames if float(t) <= self.gas_on]
-        return before[-1] if before else None
-
-    # Means and their statistical errors
-
-    def integral(self, series, times):
-        """Integral of a series over time from the start to each of times."""
-        total = np.cumsum(series * self.dt)
-        return np.interp(times, self.time, total)
-
-    def mean(self, series, window=None):
-        """Mean over the window, and its standard error by block averages."""
-        start, end = window or self.window
-
-        def blocks(n):
-            edges = np.linspace(start, end, n + 1)
-            return np.diff(self.integral(series, edges)) / np.diff(edges)
-
-        return blocks(1)[0], block_error(blocks)
-
     def flux_frames(self):
         """Means of the solids flux from each averaged frame to the next, as
         [frame, x, y, z, component], and the times between which they are. A
@@ -228,7 +82,7 @@ class Bed:
             steps = np.diff(durations)
             between = np.diff(np.array(self.averaged, float))
             if not np.allclose(steps, between, rtol=0.01):
-                sys.exit(f"bubblingBed: {self.case}: fieldAverage has not "
+                stop(f"{self.case}: fieldAverage has not "
                          f"averaged without a gap from {self.averaged[0]} s on")
             self._flux = np.diff(sums, axis=0) / steps.reshape(-1, 1, 1, 1, 1)
         return self._flux
@@ -239,8 +93,8 @@ class Bed:
         name = "uniform/functionObjects/functionObjectProperties"
         for place in places:
             path = place / time / name
-            if path.exists():
-                text = path.read_text()
+            if of.has(path):
+                text = of.read(path)
                 part = text[text.index("averages"):]
                 return float(re.search(r"totalTime\s+([^;\s]+);", part)[1])
         raise FileNotFoundError(f"{self.case}/{time}/{name}")
@@ -269,25 +123,3 @@ class Bed:
             return (1 - share) * below + share * above
 
         return reduce
-
-    # The run itself
-
-    def clock(self):
-        """Wall-clock seconds of the solver, over all its starts."""
-        text = (self.case / "log.cghsFoam").read_text()
-        return sum(
-            float(part.rsplit("ClockTime = ", 1)[1].split()[0])
-            for part in text.split("Starting time loop")[1:]
-            if "ClockTime = " in part
-        )
-
-    def ranks(self):
-        text = (self.case / "log.cghsFoam").read_text()
-        return int(re.search(r"nProcs\s*:\s*(\d+)", text)[1])
-
-
-def block_error(blocks):
-    """Standard error of a mean, from blocks(n) = the means of n blocks."""
-    return np.max(
-        [blocks(n).std(axis=0, ddof=1) / np.sqrt(n) for n in BLOCKS], axis=0
-    )

@@ -12,12 +12,6 @@ import re
 import sys
 from pathlib import Path
 
-try:
-    import numpy as np
-except ImportError:
-    sys.exit("jet: python3 has no numpy; remedy: "
-             "apt-get install python3-numpy python3-matplotlib")
-
 # The project that this case, or the copy of it, lies in
 PROJECT = next(
     (folder for folder in Path(__file__).resolve().parents
@@ -25,21 +19,16 @@ PROJECT = next(
     None,
 )
 if PROJECT is None:
-    sys.exit(f"jet: {Path(__file__).parent} is not within a cghsFoam")
+    sys.exit(f"{Path(__file__).parent} is not within a cghsFoam")
 
-sys.path.append(str(PROJECT / "tests" / "lib"))
-import cghsTest as of  # noqa: E402
+sys.path.append(str(PROJECT / "tutorials" / "lib"))
+from tutorial import np, number, of, seconds, series  # noqa: E402
 
 # Where the jet is taken to be like itself, in d: the potential core is five
 # long, and the outlet is at thirty
 SIMILAR = (12, 25)
 
 SECTION = 20  # [d] side of the box
-
-
-def _number(text, name):
-    match = re.search(rf"^\s*{name}\s+({of._NUMBER})", text, re.M)
-    return float(match[1]) if match else None
 
 
 class Jet:
@@ -57,33 +46,27 @@ class Jet:
     # Inputs, from the case's own dictionaries
 
     def _read_inputs(self):
-        system, constant = self.case / "system", self.case / "constant"
-        options = (system / "runOptions").read_text()
-        mesh = (system / "blockMeshDict").read_text()
+        options = self.case / "system" / "runOptions"
+        mesh = self.case / "system" / "blockMeshDict"
         velocity = re.search(r"referenceField\s+uniform \((\S+) 0 0\)",
                              (self.case / "0" / "U").read_text())
 
-        self.turbulent = "RAS" in options
-        self.d = _number(mesh, "scale")
+        self.turbulent = "RAS" in options.read_text()
+        self.d = number(mesh, "scale")
         self.u0 = float(velocity[1])
-        self.nu = _number((constant / "transportProperties").read_text(), "nu")
+        self.nu = number(self.case / "constant" / "transportProperties", "nu")
         self.reynolds = self.u0 * self.d / self.nu
-        self.n_layers = int(_number(options, "length")
-                            or _number(mesh, "length"))
-        self.n_around = 4*int(_number(options, "core")
-                              or _number(mesh, "core"))
-        self.start = _number(options, "averageFrom")
-        self.end = _number(options, "endTime")
-        self.ranks = int(_number(options, "ranks") or 1)
+        self.n_layers = int(number(options, "length", number(mesh, "length")))
+        self.n_around = 4*int(number(options, "core", number(mesh, "core")))
+        self.start = number(options, "averageFrom")
+        self.end = number(options, "endTime")
+        self.ranks = int(number(options, "ranks"))
 
     # Series in time
 
     def _read_flows(self):
         def flow(patch):
-            folder = self.case / "postProcessing" / f"{patch}Flow"
-            tables = sorted(folder.glob("*/surfaceFieldValue.dat"),
-                            key=lambda path: float(path.parent.name))
-            return np.concatenate([of.table(table)[:, 1] for table in tables])
+            return series(self.case, f"{patch}Flow")[:, 1]
 
         nozzle = self.case / "postProcessing/nozzleFlow/0/surfaceFieldValue.dat"
         area = float(re.search(r"# Area\s*:\s*(\S+)", nozzle.read_text())[1])
@@ -96,7 +79,7 @@ class Jet:
 
     def clock(self):
         """Wall-clock time of the solver [s]."""
-        return of.log_values(self.case / "log.cghsFoam", "ClockTime")[-1]
+        return seconds(self.case)
 
     def steps(self):
         return of.log_values(self.case / "log.cghsFoam", "ExecutionTime").size

@@ -144,7 +144,7 @@ inline void Foam::cghs::suspension::accelerate
 
     const scalar K = rates_[i];
     const vector u(c.u());
-    const vector field(g_ - (parcels.volume(i)*m.invMass)*c.gradP());
+    const vector field(g_ - (parcels.displaced(i)*m.invMass)*c.gradP());
 
     m.v = (m.v + time*(K*u + field))/(1 + time*K);
 
@@ -214,7 +214,7 @@ inline Foam::cghs::load Foam::cghs::suspension::loadOf
     const scalar fluidDeltaT
 ) const
 {
-    const scalar V = parcels.volume(i);
+    const scalar V = parcels.displaced(i);
     const scalar volumeByMass = V*parcels.motions[i].invMass;
 
     cghs::load l;
@@ -315,7 +315,8 @@ inline Foam::vector Foam::cghs::suspension::answer
 ) const
 {
     const scalar K = rates_[i];
-    const scalar volumeByMass = parcels.volume(i)*parcels.motions[i].invMass;
+    const scalar volumeByMass =
+        parcels.displaced(i)*parcels.motions[i].invMass;
 
     return
         (fluidDeltaT/(1 + fluidDeltaT*K))*(K*c.u() - volumeByMass*c.gradP());

@@ -89,6 +89,7 @@ Foam::cghs::fluidModel::fluidModel
         dimensionedVector(dimPressure/dimLength, Zero)
     ),
     continuityError_(0),
+    options_(fv::options::New(mesh)),
     U_
     (
         fieldIO("U", mesh, IOobject::MUST_READ, IOobject::AUTO_WRITE),
@@ -357,6 +358,11 @@ void Foam::cghs::fluidModel::correctPressure
         );
         addStorage(pEqn);
 
+        if (source_.valid())
+        {
+            pEqn += source_();
+        }
+
         pEqn.solve(mesh_.solver(p_.select(piso_.finalInnerIter())));
 
         if (piso_.finalNonOrthogonalIter())
@@ -385,14 +391,32 @@ void Foam::cghs::fluidModel::correctPressure
 
             U_ = HbyA + rAU*reconstruct_((held - pFlux)/rAUf);
             U_.correctBoundaryConditions();
+            options_.correct(U_);
         }
     }
 }
 
 
+void Foam::cghs::fluidModel::addSources(fvVectorMatrix& UEqn)
+{
+    source_ = contentSource(options_);
+    source_.ref().rename("contentSource");
+
+    // The equation is that of u, not of c u: what comes in is not yet as fast
+    UEqn += fvm::Sp(posPart(source_()), U_);
+    UEqn -= momentumSource(options_);
+}
+
+
 void Foam::cghs::fluidModel::solve(fvVectorMatrix& UEqn)
 {
+    if (options_.size())
+    {
+        addSources(UEqn);
+    }
+
     UEqn.relax();
+    options_.constrain(UEqn);
 
     const volScalarField rAU("rAU", 1/UEqn.A());
     const surfaceScalarField rAUf("rAUf", fvc::interpolate(rAU));
@@ -423,9 +447,14 @@ void Foam::cghs::fluidModel::solve(fvVectorMatrix& UEqn)
         correctPressure(UEqn, rAU, rAUf, held);
     }
 
+    tmp<volScalarField> defect(contentGain(wholeFlux()));
+    if (source_.valid())
+    {
+        defect.ref() -= source_();
+    }
     continuityError_ =
-        gMax(mag(continuityDefect(wholeFlux()))().primitiveField())
-       *mesh_.time().deltaTValue();
+        gMax(mag(defect().primitiveField())())
+       *mesh_.time().deltaTValue()/fullContent();
 
     if (yield_.active())
     {
@@ -461,6 +490,12 @@ void Foam::cghs::fluidModel::solve()
 
     tmp<fvVectorMatrix> UEqn(momentumEquation());
     solve(UEqn.ref());
+}
+
+
+Foam::scalar Foam::cghs::fluidModel::totalSource() const
+{
+    return source_.valid() ? fvc::domainIntegrate(source_()).value() : 0;
 }
 
 

@@ -5,6 +5,7 @@
 
 #include "solidsInventory.H"
 #include "cghsCloud.H"
+#include "meshNames.H"
 #include "PstreamReduceOps.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -30,8 +31,10 @@ Foam::cghs::solidsInventory::solidsInventory
     writeFile(mesh_, name, typeName),
     zones_(),
     patches_(),
+    feeders_(),
     inZone_(),
-    escaped_(),
+    flown_(),
+    flownStep_(-1),
     now_(),
     moments_()
 {
@@ -52,11 +55,17 @@ bool Foam::cghs::solidsInventory::read(const dictionary& dict)
 
     findZones(dict);
     findPatches(dict);
+    findFeeders(dict);
 
     if (now_.empty())
     {
-        now_.resize(1 + zones_.size() + patches_.size(), Zero);
-        escaped_ = escapedSoFar();
+        now_.resize
+        (
+            1 + zones_.size() + patches_.size() + feeders_.size(),
+            Zero
+        );
+        flown_ = flownSoFar();
+        flownStep_ = mesh_.time().timeIndex();
     }
     resume(dict);
 
@@ -66,7 +75,6 @@ bool Foam::cghs::solidsInventory::read(const dictionary& dict)
 
 void Foam::cghs::solidsInventory::findZones(const dictionary& dict)
 {
-    const cellZoneMesh& zones = mesh_.cellZones();
     const wordList wanted(dict.get<wordList>("cellZones"));
 
     zones_.resize(wanted.size());
@@ -74,17 +82,10 @@ void Foam::cghs::solidsInventory::findZones(const dictionary& dict)
 
     forAll(wanted, i)
     {
-        zones_[i] = zones.findZoneID(wanted[i]);
+        zones_[i] = cellZoneNamed(wanted[i], "cellZones", dict, mesh_);
 
-        if (zones_[i] < 0)
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entry cellZones: there is no cellZone " << wanted[i] << nl
-                << "Valid choices: " << zones.names() << nl
-                << exit(FatalIOError);
-        }
         inZone_[i] = boolList(mesh_.nCells(), false);
-        UIndirectList<bool>(inZone_[i], zones[zones_[i]]) = true;
+        UIndirectList<bool>(inZone_[i], mesh_.cellZones()[zones_[i]]) = true;
     }
 }
 
@@ -122,6 +123,34 @@ void Foam::cghs::solidsInventory::findPatches(const dictionary& dict)
 }
 
 
+void Foam::cghs::solidsInventory::findFeeders(const dictionary& dict)
+{
+    const PtrList<feeder>& all = theCloud().feeders();
+    wordList valid(all.size());
+
+    forAll(all, i)
+    {
+        valid[i] = all[i].name();
+    }
+
+    const wordList wanted(dict.getOrDefault<wordList>("feeders", wordList()));
+    feeders_.resize(wanted.size());
+
+    forAll(wanted, i)
+    {
+        feeders_[i] = valid.find(wanted[i]);
+
+        if (feeders_[i] < 0)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry feeders: there is no feeder " << wanted[i] << nl
+                << "Valid choices: " << valid << nl
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
 void Foam::cghs::solidsInventory::resume(const dictionary& dict)
 {
     // The length of the step comes first
@@ -139,7 +168,7 @@ void Foam::cghs::solidsInventory::resume(const dictionary& dict)
     if (formerNames != names() || !moments_.setState(state))
     {
         FatalIOErrorInFunction(dict)
-            << "Entries cellZones and patches ask for " << names()
+            << "Entries cellZones, patches and feeders ask for " << names()
             << " but until time " << mesh_.time().timeName() << " it was "
             << formerNames << nl
             << "Ask for the same, or rename the function object to start"
@@ -168,6 +197,10 @@ Foam::wordList Foam::cghs::solidsInventory::names() const
     {
         list.append("outflow(" + mesh_.boundaryMesh()[patchi].name() + ')');
     }
+    for (const label feederi : feeders_)
+    {
+        list.append("inflow(" + theCloud().feeders()[feederi].name() + ')');
+    }
 
     return wordList(std::move(list));
 }
@@ -188,13 +221,25 @@ void Foam::cghs::solidsInventory::openTable()
 
 // * * * * * * * * * * * * * * * * The sums  * * * * * * * * * * * * * * * * //
 
-Foam::scalarField Foam::cghs::solidsInventory::escapedSoFar() const
+Foam::scalarField Foam::cghs::solidsInventory::flownSoFar() const
 {
-    return scalarField
-    (
-        theCloud().transportStage().massEscapedBy(),
-        patches_
-    );
+    const scalarField& escaped = theCloud().transportStage().massEscapedBy();
+    DynamicList<scalar> flown;
+
+    for (const label patchi : patches_)
+    {
+        flown.append(escaped[patchi]);
+    }
+    for (const label feederi : feeders_)
+    {
+        // All ranks know it; one is to count it
+        flown.append
+        (
+            Pstream::master() ? theCloud().feeders()[feederi].fed() : 0
+        );
+    }
+
+    return scalarField(std::move(flown));
 }
 
 
@@ -219,12 +264,22 @@ bool Foam::cghs::solidsInventory::execute()
         }
     }
 
-    const scalarField escaped(escapedSoFar());
-    forAll(escaped, p)
+    const scalarField flown(flownSoFar());
+    const label step = mesh_.time().timeIndex();
+    const bool known = flownStep_ == step - 1;
+    flownStep_ = step;
+
+    if (!known)
     {
-        now_[1 + zones_.size() + p] = (escaped[p] - escaped_[p])/deltaT;
+        flown_ = flown;
+        return true;
     }
-    escaped_ = escaped;
+
+    forAll(flown, k)
+    {
+        now_[1 + zones_.size() + k] = (flown[k] - flown_[k])/deltaT;
+    }
+    flown_ = flown;
 
     reduce(now_, sumOp<scalarField>());
 
@@ -241,7 +296,7 @@ bool Foam::cghs::solidsInventory::execute()
 
 bool Foam::cghs::solidsInventory::write()
 {
-    if (writeToFile())
+    if (writeToFile() && moments_.nSamples() > 0)
     {
         if (!filePtr_.valid())
         {

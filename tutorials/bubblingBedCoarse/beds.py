@@ -1,0 +1,172 @@
+# ------------------------------------------------------------------------------
+# cghsFoam: coarse-grained hard-sphere fluidised beds for OpenFOAM
+# Licence: GPL-3.0-or-later, see the file LICENSE
+#
+# Description
+#     What the runs of the coarse bubbling bed have left, as numbers: the one
+#     place from which evaluate, validate and the test take them.
+# ------------------------------------------------------------------------------
+"""The bed by three methods: profiles, scalars and cost, with their errors."""
+
+import sys
+from pathlib import Path
+
+# The project that this case, or the copy of it, lies in
+PROJECT = next(
+    (folder for folder in Path(__file__).resolve().parents
+     if (folder / "etc" / "openfoam").exists()),
+    None,
+)
+if PROJECT is None:
+    sys.exit(f"{Path(__file__).parent} is not within a cghsFoam")
+
+sys.path.append(str(PROJECT / "tutorials" / "lib"))
+from fluidisedBed import FluidisedBed  # noqa: E402
+from tutorial import (  # noqa: E402
+    BLOCKS, block_error, clock_series, column_names, np, number, of, ranks, stop,
+)
+
+# The reference first; the others as the chapter's figures have them
+METHODS = ("dem", "cgdem", "cghs")
+
+HEIGHTS = {"low": 0.05, "high": 0.11}  # [m] of Figs 16 and 17
+
+
+class Bed(FluidisedBed):
+    """A run by one method."""
+
+    def __init__(self, case):
+        super().__init__(case)
+        self.name = self.case.name
+        self.profiles_from = self._option("profilesFrom")
+        self.tables = sorted(
+            (self.case / "postProcessing" / "profiles").glob("*"),
+            key=lambda folder: float(folder.name),
+        )
+        start = max(self.average_from, self.profiles_from)
+        self.averaged = [
+            folder for folder in self.tables
+            if float(folder.name) > start + 1e-6
+        ]
+        if len(self.averaged) >= 2 * max(BLOCKS):
+            self.window = (start, float(self.averaged[-1].name))
+
+    def _option(self, name):
+        system = self.case / "system"
+        return number(system / "runOptions", name,
+                      number(system / "controlDict", name))
+
+    def _parcel_weight(self):
+        return number(self.case / "constant" / "method", "weight")
+
+    def _count_of_parcels(self):
+        return int(number(self.case / "constant" / "method", "nParcels"))
+
+    def overlap_limit(self):
+        """Largest overlap to expect, over the diameter, and why: of two hard
+        spheres that each moved by maxDisplacement, or of two soft ones that
+        meet at 4 m/s."""
+        method = self.case / "constant" / "method"
+        stiffness = number(method, "springConstant", 0)
+        if not stiffness:
+            return 0.2, "limit: two parcels, 0.1 d a step each"
+        mass = self.mass / self.n_parcels
+        d = self.diameter * self.weight_of_parcel**(1 / 3)
+        return (4 * np.sqrt(0.5 * mass / stiffness) / d,
+                "limit: two parcels that meet at 4 m/s")
+
+    # Profiles
+
+    def _cumulated(self, name):
+        """x; and fraction and vertical flux, integrated over time from
+        profilesFrom to the start of the window and to each averaged time."""
+        before = [f for f in self.tables if f not in self.averaged][-1:]
+        columns = column_names(self.case, "profiles")
+        rows = []
+        for folder in before + self.averaged:
+            table = of.table(folder / f"{name}.dat")
+            duration = float(folder.name) - self.profiles_from
+            fraction = table[:, columns.index("solidsFraction")]
+            flux = table[:, columns.index("massFluxY")] / self.density
+            rows.append(duration * np.array([fraction, flux]))
+        if not before:
+            rows.insert(0, np.zeros_like(rows[0]))
+        return table[:, 0], np.array(rows)
+
+    def profile(self, name, folded=False):
+        """x [m]; solids fraction [-] and vertical velocity [m/s] of a profile:
+        mean over the window and standard error of each. The velocity is by mass:
+        flux over fraction. Folded: mean of both sides of the middle."""
+        x, sums = self._cumulated(name)
+        frames = np.diff(sums, axis=0)
+        if folded:
+            frames = 0.5 * (frames + frames[..., ::-1])
+        length = (self.window[1] - self.window[0]) / len(frames)
+
+        def fractions(n):
+            return np.array([part[:, 0].mean(axis=0) / length
+                             for part in np.array_split(frames, n)])
+
+        def velocities(n):
+            """Of blocks, such that their spread is that of a ratio: what the
+            flux differs from the mean velocity's, over the mean fraction."""
+            fraction, flux = frames.mean(axis=0)
+            u = flux / np.maximum(fraction, 1e-12)
+            return np.array([
+                u + (part[:, 1] - u * part[:, 0]).mean(axis=0)
+                / np.maximum(fraction, 1e-12)
+                for part in np.array_split(frames, n)
+            ])
+
+        return {
+            "x": x,
+            "fraction": (fractions(1)[0], block_error(fractions)),
+            "velocity": (velocities(1)[0], block_error(velocities)),
+        }
+
+    # Scalars
+
+    def scalars(self):
+        """Means and standard errors, by name."""
+        drop, drop_error = self.mean(self.pressure_drop)
+        return {
+            "pressure drop over weight [-]":
+                (drop / self.weight, drop_error / self.weight),
+            "height of the bed's centre [m]":
+                self.mean(self.parcels["centreY"]),
+            "granular temperature [m2/s2]":
+                self.mean(self.parcels["granularTemperature"]),
+        }
+
+    def cost(self):
+        """Processor seconds for a simulated second, from the gas on."""
+        time, spent = clock_series(self.case, "ExecutionTime")
+        start = min(self.gas_on or 0, 0.5 * time[-1])
+        used = spent[-1] - np.interp(start, np.maximum.accumulate(time), spent)
+        return ranks(self.case) * used / (time[-1] - start)
+
+    def solids_step(self):
+        """Mean length of a solids step in the window or the run [s]."""
+        steps = self.parcels["nSolidsSteps"]
+        return self.dt[1:].sum() / steps[1:].sum()
+
+
+def difference(bed, reference, name, quantity):
+    """Root mean square, along a profile folded about the middle, of the
+    difference between two runs; and what of it their standard errors alone
+    would make."""
+    mean, error = bed.profile(name, folded=True)[quantity]
+    mean0, error0 = reference.profile(name, folded=True)[quantity]
+    return (np.sqrt(((mean - mean0)**2).mean()),
+            np.sqrt((error**2 + error0**2).mean()))
+
+
+def beds_in(folder):
+    """The runs in a folder, by the name of their method."""
+    beds = {
+        name: Bed(Path(folder) / name) for name in METHODS
+        if list((Path(folder) / name).glob("postProcessing/parcels/*/*.dat"))
+    }
+    if not beds:
+        stop(f"{folder} has no runs: run ./Allrun first")
+    return beds
