@@ -221,7 +221,8 @@ inline Foam::cghs::load Foam::cghs::suspension::loadOf
     l.volume() = V;
     l.response() = responseOf(parcels, i, fluidDeltaT);
     l.yieldToVelocity() = fluidDeltaT*l.response()*volumeByMass;
-    l.yieldToGradient() = fluidDeltaT*V*volumeByMass;
+    l.yieldToGradient() =
+        fluidDeltaT*V*volumeByMass/(1 + fluidDeltaT*rates_[i]);
 
     return l;
 }
@@ -318,8 +319,7 @@ inline Foam::vector Foam::cghs::suspension::answer
         parcels.displaced(i)*parcels.motions[i].invMass;
 
     return
-        fluidDeltaT
-       *((K/(1 + fluidDeltaT*K))*c.u() - volumeByMass*c.gradP());
+        (fluidDeltaT/(1 + fluidDeltaT*K))*(K*c.u() - volumeByMass*c.gradP());
 }
 
 

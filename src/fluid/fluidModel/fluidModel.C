@@ -303,11 +303,11 @@ void Foam::cghs::fluidModel::correctPressure
     const fvVectorMatrix& UEqn,
     const volScalarField& rAU,
     const surfaceScalarField& rAUf,
-    const surfaceScalarField& gravity
+    const surfaceScalarField& held
 )
 {
     const volVectorField HbyA(constrainHbyA(rAU*UEqn.H(), U_, p_));
-    const surfaceScalarField alpharAUf("alpharAUf", alphaf_*rAUf);
+    surfaceScalarField alpharAUf("alpharAUf", alphaf_*rAUf);
     const tmp<surfaceScalarField> tcontentf(contentf());
     const surfaceScalarField& content = tcontentf();
 
@@ -331,7 +331,12 @@ void Foam::cghs::fluidModel::correctPressure
             return values.patchInternalField();
         }
     );
-    phiHbyA += gravity;
+    phiHbyA += held;
+
+    if (yield_.active())
+    {
+        alpharAUf += yield_.share()*rAUf;
+    }
     constrainPressure(p_, U_, phiHbyA, alpharAUf);
 
     surfaceScalarField mobility("mobility", content*alpharAUf);
@@ -384,7 +389,7 @@ void Foam::cghs::fluidModel::correctPressure
 
             pressureSolved();
 
-            U_ = HbyA + rAU*reconstruct_((gravity - pFlux)/rAUf);
+            U_ = HbyA + rAU*reconstruct_((held - pFlux)/rAUf);
             U_.correctBoundaryConditions();
             options_.correct(U_);
         }
@@ -430,9 +435,16 @@ void Foam::cghs::fluidModel::solve(fvVectorMatrix& UEqn)
         );
     }
 
+    surfaceScalarField held(gravity);
+
+    if (yield_.active())
+    {
+        held += yield_.before()*rAUf;
+    }
+
     while (piso_.correct())
     {
-        correctPressure(UEqn, rAU, rAUf, gravity);
+        correctPressure(UEqn, rAU, rAUf, held);
     }
 
     tmp<volScalarField> defect(contentGain(wholeFlux()));

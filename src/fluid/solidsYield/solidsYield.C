@@ -44,9 +44,9 @@ Foam::cghs::solidsYield::solidsYield(const fvMesh& mesh, const bool twoWay)
 
 
 Foam::tmp<Foam::surfaceScalarField>
-Foam::cghs::solidsYield::passing(const volScalarField& field) const
+Foam::cghs::solidsYield::passing(const surfaceScalarField& field) const
 {
-    tmp<surfaceScalarField> tfaces(fvc::interpolate(field));
+    tmp<surfaceScalarField> tfaces(new surfaceScalarField(field));
 
     for (fvsPatchScalarField& patch : tfaces.ref().boundaryFieldRef())
     {
@@ -68,8 +68,12 @@ void Foam::cghs::solidsYield::start
     const surfaceScalarField& gradient
 )
 {
-    byFlux_.reset(new surfaceScalarField(passing(byVelocity)));
-    byGradient_.reset(new surfaceScalarField(passing(byGradient)));
+    share_.reset(new surfaceScalarField(fvc::interpolate(byVelocity)));
+    byFlux_.reset(new surfaceScalarField(passing(share_())));
+    byGradient_.reset
+    (
+        new surfaceScalarField(passing(fvc::interpolate(byGradient)()))
+    );
     phi0_.reset(new surfaceScalarField("phi0", phi));
     gradient0_.reset(new surfaceScalarField("gradient0", gradient));
     flux_.reset(new surfaceScalarField("solidsYield", 0*phi));
@@ -126,7 +130,7 @@ void Foam::cghs::solidsYield::finish()
     for
     (
         autoPtr<surfaceScalarField>* field
-      : {&byFlux_, &byGradient_, &phi0_, &gradient0_, &flux_}
+      : {&share_, &byFlux_, &byGradient_, &phi0_, &gradient0_, &flux_}
     )
     {
         field->clear();
