@@ -26,7 +26,8 @@ from tutorial import (  # noqa: E402
 )
 
 CLASSES = 5    # of size, from the smallest to the largest
-LEVELS = 12    # of height
+LEVELS = 15    # of height
+BLOCK = 0.8e-3  # [m]
 
 
 class Riser:
@@ -148,12 +149,16 @@ class Riser:
                 of.cloud_field(self.case, time, "parcels", "U"))
 
     def _crowding(self, x):
-        """Variance over mean of the number of particles in blocks of two by two
-        cells: 1 where they are strewn at random, more where they cluster."""
+        """Variance over mean of the number of particles in squares of about
+        BLOCK, on each level: 1 where they are strewn at random, more where they
+        cluster."""
+        across = round(self.size[0] / BLOCK)
+        up = round(self.size[1] / LEVELS / BLOCK)
         counts = np.histogram2d(
-            x[:, 0], x[:, 1], bins=self.cells[:2] // 2,
+            x[:, 0], x[:, 1], bins=(across, LEVELS * up),
             range=((0, self.size[0]), (0, self.size[1])))[0]
-        return counts.var() / counts.mean()
+        counts = counts.reshape(across, LEVELS, up)
+        return counts.var(axis=(0, 2)) / counts.mean(axis=(0, 2))
 
     # Means over the frames, and their standard errors
 

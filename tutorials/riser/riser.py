@@ -65,6 +65,11 @@ class Riser:
                                  "molWeight")
         self.psi = molar_mass/(8314.47*TEMPERATURE)     # rho/p [s2/m2]
 
+        # Of the box that the mesh is cut from: across and along the riser
+        mesh = "system/blockMeshDict"
+        self.cell_size = (0.832/self._input(mesh, "nx"),
+                          17.12/self._input(mesh, "nz"))
+
         self.parcel_diameter = self.diameter*self.weight**(1/3)
         self.parcel_mass = (
             np.pi/6*self.diameter**3*self.density*self.weight)
@@ -126,7 +131,7 @@ class Riser:
 
     def smooth_rate(self, total, step=0.5):
         """Rate at which a total grows, over equal steps of time."""
-        edges = np.arange(0, self.end + 0.5*step, step)
+        edges = np.arange(0, self.end + 1e-9, step)
         return (edges[1:] - 0.5*step,
                 np.diff(np.interp(edges, self.time, total))/step)
 
@@ -160,6 +165,12 @@ class Riser:
                   & (height["coordinate"] < high))
         return (height["solidsFraction"][inside].mean(),
                 height["solidsFractionError"][inside].mean())
+
+    def fall(self, place, column):
+        """From the axis to the wall, and standard error."""
+        profile = self.profile(f"radial{place}")
+        mean, error = profile[column], profile[column + "Error"]
+        return mean[0] - mean[-1], np.hypot(error[0], error[-1])
 
     # The taps along the wall
 
