@@ -202,3 +202,27 @@ class Case:
             names = file.readline().strip("# \n").split()
         rows = of.table(path)
         return dict(zip(names, rows.T))
+
+    # Probes
+
+    def probe(self, name, *points):
+        """Write a field at these points in each step."""
+        places = " ".join(foam(point) for point in points)
+        with open(self.folder / "system/controlDict", "a") as file:
+            file.write(f"""
+functions
+{{
+    taps
+    {{
+        type            probes;
+        libs            (sampling);
+        fields          ({name});
+        probeLocations  ({places});
+    }}
+}}
+""")
+
+    def probed(self, name):
+        """Times, and values at the points of probe, one column a point."""
+        rows = of.table(self.folder / "postProcessing/taps/0" / name)
+        return rows[:, 0], rows[:, 1:]

@@ -109,6 +109,11 @@ int main(int argc, char *argv[])
         if (suspended && twoWay)
         {
             fluid->setSolids(parcels.solidsFraction());
+            fluid->setYield
+            (
+                parcels.yieldToVelocity(),
+                parcels.yieldToGradient()
+            );
             fluid->solve(parcels.drag(deltaT), parcels.dragResponse());
         }
         else if (withFluid)

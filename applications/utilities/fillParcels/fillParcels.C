@@ -31,24 +31,12 @@ Usage
                 velocity        (0 0 0);            // [m/s]
                 velocitySpread  (0.05 0.05 0.05);   // uniform in +- this
 
-                // Optional: diameters of the real particles, by number
-                sizeDistribution
-                {
-                    type        RosinRammler;
-                    RosinRammlerDistribution
-                    {
-                        minValue    50e-6;          // [m]
-                        maxValue    100e-6;
-                        d           70e-6;
-                        n           3;
-                    }
-                }
+                sizeDistribution { ... }    // optional, see particleSizes
             }
         }
 
     Density and weight of the parcels are those of constant/<cloud>Properties,
-    and so is the diameter where a region has no sizeDistribution, which may be
-    any of OpenFOAM's distributionModels. A mass or solidsFraction is met to
+    and so is the diameter where a region has no sizeDistribution. A mass or solidsFraction is met to
     within half of the parcel drawn last. Regions may overlap: in all of them
     the largest parcels are placed first. More solids than a random packing
     holds, or than fit between the walls, are a FatalIOError.

@@ -17,6 +17,7 @@ Foam::cghs::arena::arena
     size_(0),
     spinning_(spinning),
     shifting_(shifting),
+    fading_(false),
     nMaterials_(nMaterials)
 {
     add(spheres);
@@ -44,6 +45,14 @@ void Foam::cghs::arena::add(column& c)
 }
 
 
+void Foam::cghs::arena::startFading()
+{
+    fading_ = true;
+    add(presences);
+    add(exits);
+}
+
+
 Foam::scalar Foam::cghs::arena::radiusOf(const scalar d, const scalar W)
 {
     return 0.5*d*cbrt(W);
@@ -68,6 +77,19 @@ void Foam::cghs::arena::setSize
 Foam::scalar Foam::cghs::arena::volume(const label i) const
 {
     return 4.0/3.0*constant::mathematical::pi*pow3(spheres[i].r);
+}
+
+
+Foam::scalar Foam::cghs::arena::displaced(const label i) const
+{
+    if (!fading_)
+    {
+        return volume(i);
+    }
+
+    const scalar s = presences[i];
+
+    return sqr(s)*(3 - 2*s)*volume(i);
 }
 
 

@@ -79,19 +79,6 @@ void Foam::cghs::cghsCloud::makeValves()
 }
 
 
-Foam::scalar Foam::cghs::cghsCloud::mass() const
-{
-    scalar mass = 0;
-
-    for (label i = 0; i < parcels_.size(); ++i)
-    {
-        mass += parcels_.motions[i].mass();
-    }
-
-    return returnReduce(mass, sumOp<scalar>());
-}
-
-
 Foam::scalar Foam::cghs::cghsCloud::largestSpeed() const
 {
     scalar speed = 0;
@@ -157,6 +144,14 @@ Foam::cghs::cghsCloud::cghsCloud
     if (feeding_.recycling())
     {
         transport_.keepDepartures();
+    }
+    if
+    (
+        coupling_ == couplingType::twoWay
+     && (feeding_.needed() || valves_.size())
+    )
+    {
+        parcels_.startFading();
     }
 
     if (contacts_.remembers())
@@ -244,25 +239,66 @@ void Foam::cghs::cghsCloud::settle()
 }
 
 
-bool Foam::cghs::cghsCloud::findLeaving(labelList& exits) const
+void Foam::cghs::cghsCloud::fade(const scalar deltaT)
+{
+    for (label i = 0; i < parcels_.size(); ++i)
+    {
+        // In the time in which it moves by its diameter, or falls it
+        const scalar d = 2*parcels_.spheres[i].r;
+        const scalar rate =
+            max(mag(parcels_.motions[i].v)/d, sqrt(mag(g_)/d));
+        const scalar change =
+            parcels_.exits[i] == -1 ? deltaT*rate : -deltaT*rate;
+
+        parcels_.presences[i] =
+            min(max(parcels_.presences[i] + change, 0), 1);
+    }
+}
+
+
+void Foam::cghs::cghsCloud::openValves(labelUList& exits) const
 {
     if (valves_.empty())
     {
-        return false;
+        return;
     }
 
-    const scalar before = mass();
-    scalar released = 0;
-
-    exits.resize(parcels_.size());
-    exits = -1;
+    scalar mass = 0;
+    forAll(exits, i)
+    {
+        mass += exits[i] == -1 ? parcels_.motions[i].mass() : 0;
+    }
+    reduce(mass, sumOp<scalar>());
 
     for (const inventoryValve& valve : valves_)
     {
-        released += valve.release(parcels_, before - released, exits);
+        mass -= valve.release(parcels_, mass, exits);
+    }
+}
+
+
+Foam::labelList Foam::cghs::cghsCloud::findLeaving(const scalar deltaT)
+{
+    labelList exits(parcels_.size(), -1);
+
+    if (!parcels_.fading())
+    {
+        openValves(exits);
+        return exits;
     }
 
-    return released > 0;
+    fade(deltaT);
+    openValves(parcels_.exits);
+
+    forAll(exits, i)
+    {
+        if (parcels_.presences[i] <= 0)
+        {
+            exits[i] = parcels_.exits[i];
+        }
+    }
+
+    return exits;
 }
 
 
@@ -275,8 +311,13 @@ void Foam::cghs::cghsCloud::exchange(const scalar deltaT)
 
     addProfiling(exchange, "cghs::exchange");
 
-    labelList exits;
-    const bool leaving = findLeaving(exits);
+    const labelList exits(findLeaving(deltaT));
+    bool anyLeaves = false;
+    for (const label patchi : exits)
+    {
+        anyLeaves = anyLeaves || patchi != -1;
+    }
+    reduce(anyLeaves, orOp<bool>());
 
     const DynamicList<feeder::arrival> arrivals
     (
@@ -290,7 +331,7 @@ void Foam::cghs::cghsCloud::exchange(const scalar deltaT)
         )
     );
 
-    if (leaving || arrivals.size())
+    if (anyLeaves || arrivals.size())
     {
         contacts_.noteIndices(parcels_);
         parcels_.dismissGuests();
@@ -558,6 +599,34 @@ Foam::tmp<Foam::volScalarField> Foam::cghs::cghsCloud::dragResponse() const
         "dragResponse",
         suspension_->response(),
         dimDensity/dimTime
+    );
+}
+
+
+Foam::tmp<Foam::volScalarField>
+Foam::cghs::cghsCloud::yieldToVelocity() const
+{
+    addProfiling(mapping, "cghs::mapping");
+
+    return spreadDensity
+    (
+        "yieldToVelocity",
+        suspension_->yieldToVelocity(),
+        dimless
+    );
+}
+
+
+Foam::tmp<Foam::volScalarField>
+Foam::cghs::cghsCloud::yieldToGradient() const
+{
+    addProfiling(mapping, "cghs::mapping");
+
+    return spreadDensity
+    (
+        "yieldToGradient",
+        suspension_->yieldToGradient(),
+        dimTime/dimDensity
     );
 }
 

@@ -47,6 +47,11 @@ static void forFields(const arena& parcels, const Use& use)
     {
         use("omega", w);
     }
+    if (parcels.fading())
+    {
+        use("presence", scalarField(SubList<scalar>(parcels.presences, n)));
+        use("exitPatch", labelField(SubList<label>(parcels.exits, n)));
+    }
     if (parcels.nMaterials() > 1)
     {
         use("typeId", labelField(SubList<label>(parcels.materials, n)));
@@ -210,6 +215,29 @@ static labelField readMaterials
     return materials;
 }
 
+//- Whoever is not known to come in or go out is all there
+static void readPresence(const passiveParticleCloud& files, arena& parcels)
+{
+    static_cast<UList<scalar>&>(parcels.presences) = 1;
+    static_cast<UList<label>&>(parcels.exits) = -1;
+
+    if
+    (
+        files.fieldIOobject("presence", IOobject::MUST_READ)
+       .typeHeaderOk<IOField<scalar>>(true)
+    )
+    {
+        const scalarField presences(readField<scalar>(files, "presence"));
+        const labelField exits(readField<label>(files, "exitPatch"));
+
+        forAll(presences, i)
+        {
+            parcels.presences[i] = min(max(presences[i], 0), 1);
+            parcels.exits[i] = exits[i];
+        }
+    }
+}
+
 } // End namespace cghs
 } // End namespace Foam
 
@@ -257,6 +285,11 @@ void Foam::cghs::readParcels
     (
         spins ? readField<vector>(files, "omega") : vectorField()
     );
+
+    if (parcels.fading())
+    {
+        readPresence(files, parcels);
+    }
 
     if (parcels.nMaterials() > 1)
     {

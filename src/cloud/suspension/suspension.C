@@ -20,6 +20,8 @@ Foam::cghs::suspension::suspension
     volume_(nCells, Zero),
     impulse_(nCells, Zero),
     response_(nCells, Zero),
+    yieldToVelocity_(nCells, Zero),
+    yieldToGradient_(nCells, Zero),
     e_(blockSize_),
     u_(blockSize_),
     d_(blockSize_),
@@ -142,7 +144,7 @@ inline void Foam::cghs::suspension::accelerate
 
     const scalar K = rates_[i];
     const vector u(c.u());
-    const vector field(g_ - (parcels.volume(i)*m.invMass)*c.gradP());
+    const vector field(g_ - (parcels.displaced(i)*m.invMass)*c.gradP());
 
     m.v = (m.v + time*(K*u + field))/(1 + time*K);
 
@@ -205,13 +207,45 @@ void Foam::cghs::suspension::kickAgain
 
 // * * * * * * * * * * * * * * *  What is left * * * * * * * * * * * * * * * //
 
-void Foam::cghs::suspension::sumInCells(const arena& parcels)
+inline Foam::cghs::load Foam::cghs::suspension::loadOf
+(
+    const arena& parcels,
+    const label i,
+    const scalar fluidDeltaT
+) const
+{
+    const scalar V = parcels.displaced(i);
+    const scalar volumeByMass = V*parcels.motions[i].invMass;
+
+    cghs::load l;
+    l.volume() = V;
+    l.response() = responseOf(parcels, i, fluidDeltaT);
+    l.yieldToVelocity() = fluidDeltaT*l.response()*volumeByMass;
+    l.yieldToGradient() =
+        fluidDeltaT*V*volumeByMass/(1 + fluidDeltaT*rates_[i]);
+
+    return l;
+}
+
+
+void Foam::cghs::suspension::sumInCells
+(
+    const arena& parcels,
+    const scalar fluidDeltaT
+)
 {
     volume_ = Zero;
+    yieldToVelocity_ = Zero;
+    yieldToGradient_ = Zero;
 
     for (label i = 0; i < parcels.size(); ++i)
     {
-        volume_[parcels.cells[i]] += parcels.volume(i);
+        const label celli = parcels.cells[i];
+        cghs::load own(loadOf(parcels, i, fluidDeltaT));
+
+        volume_[celli] += own.volume();
+        yieldToVelocity_[celli] += own.yieldToVelocity();
+        yieldToGradient_[celli] += own.yieldToGradient();
     }
 }
 
@@ -226,12 +260,8 @@ void Foam::cghs::suspension::spreadLoads
 
     for (label i = 0; i < parcels.size(); ++i)
     {
-        const cghs::load own
-        (
-            parcels.volume(i),
-            taken_[i],
-            responseOf(parcels, i, fluidDeltaT)
-        );
+        cghs::load own(loadOf(parcels, i, fluidDeltaT));
+        own.setVector(1, taken_[i]);
 
         kernels_->visit
         (
@@ -244,13 +274,17 @@ void Foam::cghs::suspension::spreadLoads
         );
     }
 
-    kernels_->rings().collect(sums, plusEqRow<5>(), cghs::load());
+    kernels_->rings().collect(sums, plusEqRow(), cghs::load());
 
     for (label celli = 0; celli < nCells_; ++celli)
     {
-        volume_[celli] = sums[celli].volume();
-        impulse_[celli] = sums[celli].impulse();
-        response_[celli] = sums[celli].response();
+        cghs::load& sum = sums[celli];
+
+        volume_[celli] = sum.volume();
+        impulse_[celli] = sum.impulse();
+        response_[celli] = sum.response();
+        yieldToVelocity_[celli] = sum.yieldToVelocity();
+        yieldToGradient_[celli] = sum.yieldToGradient();
     }
 }
 
@@ -261,7 +295,14 @@ void Foam::cghs::suspension::load
     const scalar fluidDeltaT
 )
 {
-    kernels_ ? spreadLoads(parcels, fluidDeltaT) : sumInCells(parcels);
+    if (kernels_)
+    {
+        spreadLoads(parcels, fluidDeltaT);
+    }
+    else
+    {
+        sumInCells(parcels, fluidDeltaT);
+    }
 }
 
 
@@ -274,11 +315,11 @@ inline Foam::vector Foam::cghs::suspension::answer
 ) const
 {
     const scalar K = rates_[i];
-    const scalar volumeByMass = parcels.volume(i)*parcels.motions[i].invMass;
+    const scalar volumeByMass =
+        parcels.displaced(i)*parcels.motions[i].invMass;
 
     return
-        fluidDeltaT
-       *((K/(1 + fluidDeltaT*K))*c.u() - volumeByMass*c.gradP());
+        (fluidDeltaT/(1 + fluidDeltaT*K))*(K*c.u() - volumeByMass*c.gradP());
 }
 
 

@@ -11,9 +11,18 @@ Foam::cghs::faceReconstruction::faceReconstruction(const fvMesh& mesh)
     n_(mesh.Sf()/mesh.magSf()),
     inverse_(fvc::surfaceSum(mesh.magSf()*sqr(n_))().primitiveField())
 {
+    // No face looks in a direction that is not solved for
+    const Vector<label>& solved = mesh.solutionD();
+    const symmTensor absent
+    (
+        solved.x() < 0, 0, 0,
+        solved.y() < 0, 0,
+        solved.z() < 0
+    );
+
     for (symmTensor& areas : inverse_)
     {
-        areas = inv(symmTensor(areas));
+        areas = inv(areas + tr(areas)*absent);
     }
 }
 

@@ -65,6 +65,11 @@ Foam::cghs::fluidModel::fluidModel
 :
     mesh_(mesh),
     reconstruct_(mesh),
+    yield_
+    (
+        mesh,
+        parcels.coupling() == cghsCloud::couplingType::twoWay
+    ),
     piso_(mesh),
     g_(g),
     minVoidage_
@@ -84,6 +89,7 @@ Foam::cghs::fluidModel::fluidModel
         dimensionedVector(dimPressure/dimLength, Zero)
     ),
     continuityError_(0),
+    options_(fv::options::New(mesh)),
     U_
     (
         fieldIO("U", mesh, IOobject::MUST_READ, IOobject::AUTO_WRITE),
@@ -204,6 +210,42 @@ void Foam::cghs::fluidModel::setSolids(const volScalarField& theta)
 }
 
 
+void Foam::cghs::fluidModel::setYield
+(
+    const volScalarField& byVelocity,
+    const volScalarField& byGradient
+)
+{
+    yield_.start
+    (
+        byVelocity,
+        momentumDensity()*byGradient,
+        phi_,
+        faceGradP()
+    );
+}
+
+
+Foam::tmp<Foam::surfaceScalarField>
+Foam::cghs::fluidModel::faceGradP() const
+{
+    return fvc::snGrad(p_)*mesh_.magSf();
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::cghs::fluidModel::wholeFlux()
+{
+    tmp<surfaceScalarField> tflux(new surfaceScalarField(contentFlux()));
+
+    if (yield_.active())
+    {
+        tflux.ref() += contentf()/alphaf_*yield_.flux();
+    }
+
+    return tflux;
+}
+
+
 bool Foam::cghs::fluidModel::pressureBalances(const label patchi) const
 {
     return
@@ -261,11 +303,11 @@ void Foam::cghs::fluidModel::correctPressure
     const fvVectorMatrix& UEqn,
     const volScalarField& rAU,
     const surfaceScalarField& rAUf,
-    const surfaceScalarField& gravity
+    const surfaceScalarField& held
 )
 {
     const volVectorField HbyA(constrainHbyA(rAU*UEqn.H(), U_, p_));
-    const surfaceScalarField alpharAUf("alpharAUf", alphaf_*rAUf);
+    surfaceScalarField alpharAUf("alpharAUf", alphaf_*rAUf);
     const tmp<surfaceScalarField> tcontentf(contentf());
     const surfaceScalarField& content = tcontentf();
 
@@ -289,23 +331,44 @@ void Foam::cghs::fluidModel::correctPressure
             return values.patchInternalField();
         }
     );
-    phiHbyA += gravity;
+    phiHbyA += held;
+
+    if (yield_.active())
+    {
+        alpharAUf += yield_.share()*rAUf;
+    }
     constrainPressure(p_, U_, phiHbyA, alpharAUf);
+
+    surfaceScalarField mobility("mobility", content*alpharAUf);
+    surfaceScalarField predicted("predicted", content*phiHbyA);
+
+    if (yield_.active())
+    {
+        const surfaceScalarField filling(content/alphaf_);
+
+        mobility += filling*yield_.mobility(alpharAUf);
+        predicted += filling*yield_.rest(phiHbyA);
+    }
 
     while (piso_.correctNonOrthogonal())
     {
         fvScalarMatrix pEqn
         (
-            fvm::laplacian(content*alpharAUf, p_)
-         == fvc::div(content*phiHbyA)
+            fvm::laplacian(mobility, p_) == fvc::div(predicted)
         );
         addStorage(pEqn);
+
+        if (source_.valid())
+        {
+            pEqn += source_();
+        }
 
         pEqn.solve(mesh_.solver(p_.select(piso_.finalInnerIter())));
 
         if (piso_.finalNonOrthogonalIter())
         {
-            const surfaceScalarField pFlux(pEqn.flux()/content);
+            const surfaceScalarField gradient(pEqn.flux()/mobility);
+            const surfaceScalarField pFlux(alpharAUf*gradient);
 
             // The result at such a patch is the given velocity, to the last
             // digit
@@ -319,18 +382,41 @@ void Foam::cghs::fluidModel::correctPressure
             );
             contentFlux() = content*phi_;
 
+            if (yield_.active())
+            {
+                yield_.update(phi_, gradient);
+            }
+
             pressureSolved();
 
-            U_ = HbyA + rAU*reconstruct_((gravity - pFlux)/rAUf);
+            U_ = HbyA + rAU*reconstruct_((held - pFlux)/rAUf);
             U_.correctBoundaryConditions();
+            options_.correct(U_);
         }
     }
 }
 
 
+void Foam::cghs::fluidModel::addSources(fvVectorMatrix& UEqn)
+{
+    source_ = contentSource(options_);
+    source_.ref().rename("contentSource");
+
+    // The equation is that of u, not of c u: what comes in is not yet as fast
+    UEqn += fvm::Sp(posPart(source_()), U_);
+    UEqn -= momentumSource(options_);
+}
+
+
 void Foam::cghs::fluidModel::solve(fvVectorMatrix& UEqn)
 {
+    if (options_.size())
+    {
+        addSources(UEqn);
+    }
+
     UEqn.relax();
+    options_.constrain(UEqn);
 
     const volScalarField rAU("rAU", 1/UEqn.A());
     const surfaceScalarField rAUf("rAUf", fvc::interpolate(rAU));
@@ -344,19 +430,36 @@ void Foam::cghs::fluidModel::solve(fvVectorMatrix& UEqn)
          ==
             reconstruct_
             (
-                gravity/rAUf - alphaf_*fvc::snGrad(p_)*mesh_.magSf()
+                gravity/rAUf - alphaf_*faceGradP()
             )
         );
     }
 
-    while (piso_.correct())
+    surfaceScalarField held(gravity);
+
+    if (yield_.active())
     {
-        correctPressure(UEqn, rAU, rAUf, gravity);
+        held += yield_.before()*rAUf;
     }
 
+    while (piso_.correct())
+    {
+        correctPressure(UEqn, rAU, rAUf, held);
+    }
+
+    tmp<volScalarField> defect(contentGain(wholeFlux()));
+    if (source_.valid())
+    {
+        defect.ref() -= source_();
+    }
     continuityError_ =
-        gMax(mag(continuityDefect())().primitiveField())
-       *mesh_.time().deltaTValue();
+        gMax(mag(defect().primitiveField())())
+       *mesh_.time().deltaTValue()/fullContent();
+
+    if (yield_.active())
+    {
+        yield_.finish();
+    }
 
     finishStep();
 }
@@ -390,9 +493,15 @@ void Foam::cghs::fluidModel::solve()
 }
 
 
+Foam::scalar Foam::cghs::fluidModel::totalSource() const
+{
+    return source_.valid() ? fvc::domainIntegrate(source_()).value() : 0;
+}
+
+
 Foam::tmp<Foam::volVectorField> Foam::cghs::fluidModel::gradPNow() const
 {
-    return momentumDensity()*reconstruct_(fvc::snGrad(p_)*mesh_.magSf());
+    return momentumDensity()*reconstruct_(faceGradP());
 }
 
 

@@ -99,9 +99,41 @@ void Foam::cghs::incompressibleFluid::addStorage(fvScalarMatrix& pEqn) const
 
 
 Foam::tmp<Foam::volScalarField>
-Foam::cghs::incompressibleFluid::continuityDefect() const
+Foam::cghs::incompressibleFluid::contentGain
+(
+    const surfaceScalarField& flux
+) const
 {
-    return fvc::ddt(alpha_) + fvc::div(alphaPhi_);
+    return fvc::ddt(alpha_) + fvc::div(flux);
+}
+
+
+Foam::tmp<Foam::volScalarField>
+Foam::cghs::incompressibleFluid::contentSource(fv::optionList& options)
+{
+    tmp<volScalarField> S(options(alpha_) & alpha_);
+
+    const scalar total = fvc::domainIntegrate(S()).value();
+    const scalar given = fvc::domainIntegrate(mag(S())).value();
+
+    if (p_.needReference() && mag(total) > 1e-6*given)
+    {
+        FatalErrorInFunction
+            << "The fvOptions of alpha put " << total << " m^3/s of fluid into"
+            << " a mesh that has no outlet for it" << nl
+            << "Give p a value at a patch, let the sources add up to zero, or"
+            << " choose the fluid isothermalGas" << nl
+            << exit(FatalError);
+    }
+
+    return S;
+}
+
+
+Foam::tmp<Foam::fvVectorMatrix>
+Foam::cghs::incompressibleFluid::momentumSource(fv::optionList& options)
+{
+    return options(U_);
 }
 
 

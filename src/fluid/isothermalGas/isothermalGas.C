@@ -188,9 +188,32 @@ void Foam::cghs::isothermalGas::pressureSolved()
 
 
 Foam::tmp<Foam::volScalarField>
-Foam::cghs::isothermalGas::continuityDefect() const
+Foam::cghs::isothermalGas::contentGain
+(
+    const surfaceScalarField& flux
+) const
 {
-    return (fvc::ddt(alpha_, rho_) + fvc::div(alphaRhoPhi_))/(alpha_*rho_);
+    return fvc::ddt(alpha_, rho_) + fvc::div(flux);
+}
+
+
+Foam::scalar Foam::cghs::isothermalGas::fullContent() const
+{
+    return gAverage(rho_.primitiveField());
+}
+
+
+Foam::tmp<Foam::volScalarField>
+Foam::cghs::isothermalGas::contentSource(fv::optionList& options)
+{
+    return options(rho_) & rho_;
+}
+
+
+Foam::tmp<Foam::fvVectorMatrix>
+Foam::cghs::isothermalGas::momentumSource(fv::optionList& options)
+{
+    return options(rho_, U_);
 }
 
 
@@ -219,7 +242,9 @@ void Foam::cghs::isothermalGas::finishStep()
 
     const scalar before = mass_;
     mass_ = massNow();
-    massDefect_ += mass_ - before + outflow*mesh().time().deltaTValue();
+    massDefect_ +=
+        mass_ - before
+      + (outflow - totalSource())*mesh().time().deltaTValue();
 
     turbulence_->correct();
 }

@@ -5,6 +5,7 @@
 
 #include "feeder.H"
 #include "checkedEntry.H"
+#include "meshNames.H"
 #include "Hasher.H"
 
 const Foam::Enum<Foam::cghs::feeder::shortageType>
@@ -57,21 +58,11 @@ void Foam::cghs::feeder::readSupply(const polyMesh& mesh)
         return;
     }
 
-    const polyBoundaryMesh& patches = mesh.boundaryMesh();
-    recycles_.resize(patches.size(), false);
+    recycles_.resize(mesh.boundaryMesh().size(), false);
 
-    for (const word& patch : dict_.get<wordList>("recycle"))
+    for (const word& name : dict_.get<wordList>("recycle"))
     {
-        const label patchi = patches.findPatchID(patch);
-
-        if (patchi < 0)
-        {
-            FatalIOErrorInFunction(dict_)
-                << "Entry recycle: there is no patch " << patch << nl
-                << "Valid choices: " << patches.names() << nl
-                << exit(FatalIOError);
-        }
-        recycles_[patchi] = true;
+        recycles_[patchNamed(name, "recycle", dict_, mesh)] = true;
     }
 }
 

@@ -144,6 +144,11 @@ void Foam::cghs::feeding::append
     {
         parcels.materials[i] = it.material;
     }
+    if (parcels.fading())
+    {
+        parcels.presences[i] = 0;
+        parcels.exits[i] = -1;
+    }
 }
 
 

@@ -5,6 +5,7 @@
 
 #include "patchPlace.H"
 #include "checkedEntry.H"
+#include "meshNames.H"
 #include "meshTools.H"
 #include "triPointRef.H"
 #include "addToRunTimeSelectionTable.H"
@@ -25,28 +26,6 @@ namespace cghs
 
 // * * * * * * * * * * * * * * * Construction  * * * * * * * * * * * * * * * //
 
-const Foam::polyPatch& Foam::cghs::patchPlace::findPatch
-(
-    const dictionary& dict,
-    const polyMesh& mesh
-)
-{
-    const polyBoundaryMesh& patches = mesh.boundaryMesh();
-    const word name(dict.get<word>("patch"));
-    const label patchi = patches.findPatchID(name);
-
-    if (patchi < 0 || patches[patchi].coupled())
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry patch: parcels cannot be fed through " << name << nl
-            << "Valid choices: " << patches.names() << nl
-            << exit(FatalIOError);
-    }
-
-    return patches[patchi];
-}
-
-
 Foam::cghs::patchPlace::patchPlace
 (
     const dictionary& dict,
@@ -56,7 +35,16 @@ Foam::cghs::patchPlace::patchPlace
     feedPlace(dict),
     mesh_(mesh),
     speed_(positiveScalar(dict, "speed")),
-    triangles_(gatherTriangles(findPatch(dict, mesh))),
+    triangles_
+    (
+        gatherTriangles
+        (
+            mesh.boundaryMesh()
+            [
+                patchNamed(dict.get<word>("patch"), "patch", dict, mesh)
+            ]
+        )
+    ),
     areas_(triangles_.size())
 {
     scalar sum = 0;

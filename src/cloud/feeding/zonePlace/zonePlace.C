@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "zonePlace.H"
+#include "meshNames.H"
 #include "meshTools.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -29,19 +30,10 @@ Foam::cghs::zonePlace::zonePlace
     inZone_(mesh.nCells(), false),
     box_()
 {
-    const cellZoneMesh& zones = mesh.cellZones();
     const word name(dict.get<word>("cellZone"));
-    const label zonei = zones.findZoneID(name);
+    const label zonei = cellZoneNamed(name, "cellZone", dict, mesh);
 
-    if (zonei < 0)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry cellZone: there is no cellZone " << name << nl
-            << "Valid choices: " << zones.names() << nl
-            << exit(FatalIOError);
-    }
-
-    for (const label celli : zones[zonei])
+    for (const label celli : mesh.cellZones()[zonei])
     {
         inZone_[celli] = true;
 

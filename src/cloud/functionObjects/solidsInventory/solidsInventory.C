@@ -5,6 +5,7 @@
 
 #include "solidsInventory.H"
 #include "cghsCloud.H"
+#include "meshNames.H"
 #include "PstreamReduceOps.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -34,8 +35,7 @@ Foam::cghs::solidsInventory::solidsInventory
     inZone_(),
     flown_(),
     flownStep_(-1),
-    now_(),
-    moments_()
+    means_()
 {
     read(dict);
 }
@@ -46,27 +46,24 @@ bool Foam::cghs::solidsInventory::read(const dictionary& dict)
     cloudFunctionObject::read(dict);
     writeFile::read(dict);
 
-    if (now_.size())
+    const bool again = means_.names().size();
+    if (again)
     {
-        // Read again during the run
-        keepState();
+        means_.keep(*this);
     }
 
     findZones(dict);
     findPatches(dict);
     findFeeders(dict);
 
-    if (now_.empty())
+    means_ = timeMeans(names());
+    means_.resume(*this, dict, "Entries cellZones, patches and feeders");
+
+    if (!again)
     {
-        now_.resize
-        (
-            1 + zones_.size() + patches_.size() + feeders_.size(),
-            Zero
-        );
         flown_ = flownSoFar();
         flownStep_ = mesh_.time().timeIndex();
     }
-    resume(dict);
 
     return true;
 }
@@ -74,7 +71,6 @@ bool Foam::cghs::solidsInventory::read(const dictionary& dict)
 
 void Foam::cghs::solidsInventory::findZones(const dictionary& dict)
 {
-    const cellZoneMesh& zones = mesh_.cellZones();
     const wordList wanted(dict.get<wordList>("cellZones"));
 
     zones_.resize(wanted.size());
@@ -82,17 +78,10 @@ void Foam::cghs::solidsInventory::findZones(const dictionary& dict)
 
     forAll(wanted, i)
     {
-        zones_[i] = zones.findZoneID(wanted[i]);
+        zones_[i] = cellZoneNamed(wanted[i], "cellZones", dict, mesh_);
 
-        if (zones_[i] < 0)
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entry cellZones: there is no cellZone " << wanted[i] << nl
-                << "Valid choices: " << zones.names() << nl
-                << exit(FatalIOError);
-        }
         inZone_[i] = boolList(mesh_.nCells(), false);
-        UIndirectList<bool>(inZone_[i], zones[zones_[i]]) = true;
+        UIndirectList<bool>(inZone_[i], mesh_.cellZones()[zones_[i]]) = true;
     }
 }
 
@@ -158,40 +147,6 @@ void Foam::cghs::solidsInventory::findFeeders(const dictionary& dict)
 }
 
 
-void Foam::cghs::solidsInventory::resume(const dictionary& dict)
-{
-    // The length of the step comes first
-    moments_ = blockMoments(1 + now_.size());
-
-    wordList formerNames;
-    if (!getProperty("names", formerNames))
-    {
-        return;
-    }
-
-    List<scalar> state;
-    getProperty("moments", state);
-
-    if (formerNames != names() || !moments_.setState(state))
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entries cellZones, patches and feeders ask for " << names()
-            << " but until time " << mesh_.time().timeName() << " it was "
-            << formerNames << nl
-            << "Ask for the same, or rename the function object to start"
-            << " anew" << nl
-            << exit(FatalIOError);
-    }
-}
-
-
-void Foam::cghs::solidsInventory::keepState()
-{
-    setProperty("names", names());
-    setProperty("moments", moments_.state());
-}
-
-
 Foam::wordList Foam::cghs::solidsInventory::names() const
 {
     DynamicList<word> list({"mass"});
@@ -212,19 +167,6 @@ Foam::wordList Foam::cghs::solidsInventory::names() const
     return wordList(std::move(list));
 }
 
-
-void Foam::cghs::solidsInventory::openTable()
-{
-    resetFile(typeName);
-
-    file() << "# time";
-    for (const word& name : names())
-    {
-        file() << ' ' << name << ' ' << name << "Mean " << name << "Error";
-    }
-    file() << endl;
-    file().precision(writePrecision_);
-}
 
 // * * * * * * * * * * * * * * * * The sums  * * * * * * * * * * * * * * * * //
 
@@ -255,18 +197,19 @@ bool Foam::cghs::solidsInventory::execute()
     const arena& parcels = this->parcels();
     const scalar deltaT = mesh_.time().deltaTValue();
 
-    now_ = Zero;
+    scalarField& now = means_.now();
+    now = Zero;
 
     for (label i = 0; i < parcels.size(); ++i)
     {
         const scalar mass = parcels.motions[i].mass();
-        now_[0] += mass;
+        now[0] += mass;
 
         forAll(inZone_, z)
         {
             if (inZone_[z][parcels.cells[i]])
             {
-                now_[1 + z] += mass;
+                now[1 + z] += mass;
             }
         }
     }
@@ -284,18 +227,13 @@ bool Foam::cghs::solidsInventory::execute()
 
     forAll(flown, k)
     {
-        now_[1 + zones_.size() + k] = (flown[k] - flown_[k])/deltaT;
+        now[1 + zones_.size() + k] = (flown[k] - flown_[k])/deltaT;
     }
     flown_ = flown;
 
-    reduce(now_, sumOp<scalarField>());
+    reduce(now, sumOp<scalarField>());
 
-    scalarField sample(1 + now_.size(), deltaT);
-    forAll(now_, q)
-    {
-        sample[1 + q] = deltaT*now_[q];
-    }
-    moments_.add(sample);
+    means_.add(deltaT);
 
     return true;
 }
@@ -303,22 +241,18 @@ bool Foam::cghs::solidsInventory::execute()
 
 bool Foam::cghs::solidsInventory::write()
 {
-    if (writeToFile() && moments_.nSamples() > 0)
+    if (writeToFile() && !means_.empty())
     {
         if (!filePtr_.valid())
         {
-            openTable();
+            resetFile(typeName);
+            means_.writeHead(file());
+            file().precision(writePrecision_);
         }
-        file() << mesh_.time().value();
-        forAll(now_, q)
-        {
-            const blockMoments::estimate mean(moments_.ratio(1 + q, 0));
-            file() << ' ' << now_[q] << ' ' << mean.value << ' ' << mean.error;
-        }
-        file() << endl;
+        means_.writeRow(file(), mesh_.time().value());
     }
 
-    keepState();
+    means_.keep(*this);
 
     return true;
 }

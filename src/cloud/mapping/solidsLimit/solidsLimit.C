@@ -17,8 +17,8 @@ namespace cghs
     //  depend on how full the cells are
     constexpr label nSmoothPasses = 10;
 
-    //- Passes aim this much lower, or the last digit would never be reached
-    constexpr scalar margin = 1e-6;
+    //- The other passes aim this much lower: what is left falls ever more slowly
+    constexpr scalar margin = 0.005;
 
     //- Passes at most
     constexpr label patience = 200;
@@ -54,6 +54,7 @@ Foam::scalar Foam::cghs::solidsLimit::excess
 void Foam::cghs::solidsLimit::pass
 (
     volScalarField& theta,
+    const scalar goal,
     const scalar width
 ) const
 {
@@ -74,7 +75,7 @@ void Foam::cghs::solidsLimit::pass
 
     forAll(moved, celli)
     {
-        moved[celli] = excess(theta[celli] - limit_ + margin, width);
+        moved[celli] = excess(theta[celli] - goal, width);
     }
     moved.correctBoundaryConditions();
 
@@ -88,7 +89,7 @@ Foam::label Foam::cghs::solidsLimit::bound(volScalarField& theta) const
 {
     const auto fullest = [&]() { return gMax(theta.primitiveField()); };
 
-    if (fullest() <= limit_ - margin - onset)
+    if (fullest() <= limit_ - onset)
     {
         return 0;
     }
@@ -109,11 +110,11 @@ Foam::label Foam::cghs::solidsLimit::bound(volScalarField& theta) const
 
     for (label i = 0; i < nSmoothPasses; ++i)
     {
-        pass(theta, onset);
+        pass(theta, limit_, onset);
     }
     for (label i = nSmoothPasses; i < patience && fullest() > limit_; ++i)
     {
-        pass(theta, SMALL);
+        pass(theta, limit_ - margin, SMALL);
     }
 
     theta.correctBoundaryConditions();

@@ -1,0 +1,265 @@
+# ------------------------------------------------------------------------------
+# cghsFoam: coarse-grained hard-sphere fluidised beds for OpenFOAM
+# Licence: GPL-3.0-or-later, see the file LICENSE
+#
+# Description
+#     What a run of the riser has left, as numbers: the one place from which both
+#     evaluate (page of results) and validate (checks) take them.
+# ------------------------------------------------------------------------------
+"""The riser: its inputs, its series in time, its means with errors."""
+
+import sys
+from pathlib import Path
+
+PROJECT = next((folder for folder in Path(__file__).resolve().parents
+                if (folder / "etc" / "openfoam").exists()), None)
+if PROJECT is None:
+    sys.exit(f"{Path(__file__).parent} is not within a cghsFoam")
+sys.path.append(str(PROJECT / "tutorials" / "lib"))
+from tutorial import (  # noqa: E402
+    block_error, column_names, np, number, of, ranks, seconds, series, vector)
+
+RADIUS, HEIGHT = 0.152, 16.8    # [m], as the script pipes has it
+AREA = np.pi*RADIUS**2
+
+# Table 5
+INLET_PRESSURE, OUTLET_PRESSURE = 124339.0, 105000.0    # [Pa]
+SOLIDS_RATE = 14.0                                      # [kg/s]
+GAS_VELOCITY, SIDE_FLOW = 6.81, 2.37e-2                 # [m/s], [m3/s]
+TEMPERATURE = 294.0                                     # [K]
+
+# Heights of the probes [m], and the profiles there
+HEIGHTS = {"Lower": 6.23, "Upper": 8.88}
+
+# From where to where the riser is called bottom, middle and top [m]: the first
+# and the last are free of the cells of the side pipes
+PARTS = {"bottom": (0.4, 2.4), "middle": (5.0, 12.0), "top": (16.0, 16.8)}
+
+
+class Riser:
+    """A run. Lengths in m, pressures in Pa, masses in kg, times in s."""
+
+    def __init__(self, case):
+        self.case = Path(case)
+        self.name = self.case.resolve().name
+        self._read_inputs()
+        self._read_series()
+        self._find_window()
+
+    # Inputs
+
+    def _input(self, file, name):
+        return number(self.case / "system" / "runOptions", name,
+                      number(self.case / file, name, np.nan))
+
+    def _read_inputs(self):
+        parcels = "constant/parcelsProperties"
+        self.weight = self._input(parcels, "parcelWeight")
+        self.diameter = self._input(parcels, "diameter")
+        self.density = self._input(parcels, "density")
+        self.rate = self._input(parcels, "massFlowRate")
+        self.average_from = self._input("system/controlDict", "averageFrom")
+        gravity = vector((self.case / "constant/g").read_text(), r"\bvalue")
+        self.g = float(np.linalg.norm(gravity))
+        molar_mass = self._input("constant/thermophysicalProperties",
+                                 "molWeight")
+        self.psi = molar_mass/(8314.47*TEMPERATURE)     # rho/p [s2/m2]
+
+        # Of the box that the mesh is cut from: across and along the riser
+        mesh = "system/blockMeshDict"
+        self.cell_size = (0.832/self._input(mesh, "nx"),
+                          17.12/self._input(mesh, "nz"))
+
+        self.parcel_diameter = self.diameter*self.weight**(1/3)
+        self.parcel_mass = (
+            np.pi/6*self.diameter**3*self.density*self.weight)
+
+    # Series in time
+
+    def _read_series(self):
+        rows = series(self.case, "parcels")
+        self.parcels = dict(zip(column_names(self.case, "parcels"), rows.T))
+        self.time = self.parcels["time"]
+        self.dt = np.diff(self.time, prepend=0)
+        self.end = float(self.time[-1])
+
+        self.mass = self.parcels["mass"]
+        self.escaped = self.parcels["escapedMass"]
+        self.fed = self.parcels["fedMass"]
+        self.inlet_pressure = self._at_steps("inletPressure")
+        self.outlet_pressure = self._at_steps("outletPressure")
+        self.pressure_drop = self.inlet_pressure - self.outlet_pressure
+        _, rows = self._probes()
+        self.top_pressure = np.interp(self.time, rows[:, 0], rows[:, -1])
+        self.exit_drop = self.top_pressure - self.outlet_pressure
+        self.gas_in = (-self._at_steps("inletFlow")
+                       - self._at_steps("sideInletFlow"))
+        self.gas_out = self._at_steps("outletFlow")
+        self.gas_mass = self._at_steps("gasMass")
+
+    def _at_steps(self, folder):
+        """A function object's value at the times of the parcels' table."""
+        rows = series(self.case, folder)
+        return np.interp(self.time, rows[:, 0], rows[:, 1])
+
+    def _find_window(self):
+        """From when on means are taken, if that has been reached."""
+        late = self.end - self.average_from > 1
+        self.window = (self.average_from, self.end) if late else None
+
+    # Means and their statistical errors
+
+    def integral(self, values, times):
+        """Integral over time from the start to each of times."""
+        return np.interp(times, self.time, np.cumsum(values*self.dt))
+
+    def mean(self, values):
+        """Mean over the window, and its standard error by block averages."""
+        def blocks(n):
+            edges = np.linspace(*self.window, n + 1)
+            return np.diff(self.integral(values, edges))/np.diff(edges)
+
+        return blocks(1)[0], float(block_error(blocks))
+
+    def rate_of(self, total):
+        """Mean and standard error of the rate at which a total grows."""
+        def blocks(n):
+            edges = np.linspace(*self.window, n + 1)
+            return np.diff(np.interp(edges, self.time, total))/np.diff(edges)
+
+        return blocks(1)[0], float(block_error(blocks))
+
+    def smooth_rate(self, total, step=0.5):
+        """Rate at which a total grows, over equal steps of time."""
+        edges = np.arange(0, self.end + 1e-9, step)
+        return (edges[1:] - 0.5*step,
+                np.diff(np.interp(edges, self.time, total))/step)
+
+    def gas_defect(self):
+        """What of the gas has come from nowhere, over what has entered: steps
+        are implicit, so that flows hold for the step before their time."""
+        gained = self.gas_mass[-1] - self.gas_mass[0]
+        flowed = ((self.gas_in - self.gas_out)*self.dt)[1:].sum()
+        return abs(gained - flowed)/(self.gas_in*self.dt)[1:].sum()
+
+    # Profiles that solidsProfiles has made
+
+    def profile(self, name):
+        """The columns of a profile by their names, of the last time written."""
+        files = sorted(
+            (self.case / "postProcessing" / "solidsProfiles").glob(
+                f"*/{name}.dat"),
+            key=lambda path: float(path.parent.name))
+        if not files:
+            return None
+        lines = files[-1].read_text().splitlines()
+        head = [line for line in lines if line.lstrip().startswith("#")][-1]
+        return dict(zip(head.lstrip("# ").split(), of.table(files[-1]).T))
+
+    def part_fraction(self, part):
+        """Mean solids fraction of a part of the height, and standard error, as
+        if its bins erred together."""
+        low, high = PARTS[part]
+        height = self.profile("height")
+        inside = ((height["coordinate"] > low)
+                  & (height["coordinate"] < high))
+        return (height["solidsFraction"][inside].mean(),
+                height["solidsFractionError"][inside].mean())
+
+    def fall(self, place, column):
+        """From the axis to the wall, and standard error."""
+        profile = self.profile(f"radial{place}")
+        mean, error = profile[column], profile[column + "Error"]
+        return mean[0] - mean[-1], np.hypot(error[0], error[-1])
+
+    # The taps along the wall
+
+    def _probes(self):
+        """Heights of the probes, and rows of times and pressures there."""
+        files = sorted((self.case / "postProcessing" / "taps").glob("*/p"),
+                       key=lambda path: float(path.parent.name))
+        lines = files[0].read_text().splitlines()
+        z = np.array([float(line.split("(")[1].split()[2].rstrip(")"))
+                      for line in lines if line.startswith("# Probe")])
+        rows = np.empty((0, z.size + 1))
+        for path in files:
+            new = of.table(path)
+            if new.size:
+                rows = np.vstack([rows[rows[:, 0] < new[0, 0]], new])
+        return z, rows
+
+    def taps(self):
+        """Heights, mean pressures over that of the outlet, errors."""
+        z, rows = self._probes()
+        late = rows[rows[:, 0] > self.window[0]][:, 1:]
+
+        def blocks(n):
+            return np.array([part.mean(axis=0)
+                             for part in np.array_split(late, n)])
+
+        return z, blocks(1)[0] - OUTLET_PRESSURE, block_error(blocks)
+
+    def apparent_voidage(self):
+        """Heights between the taps, and the voidage there if the pressure's
+        slope were nothing but weight."""
+        z, pressure, _ = self.taps()
+        gas = self.psi*(OUTLET_PRESSURE + 0.5*(pressure[1:] + pressure[:-1]))
+        slope = -np.diff(pressure)/np.diff(z)/self.g
+        return (0.5*(z[1:] + z[:-1]),
+                1 - (slope - gas)/(self.density - gas))
+
+    # Mean fields of the last time written
+
+    def last(self):
+        return [t for t in of.times(self.case) if float(t) > 0][-1]
+
+    def field(self, name):
+        return np.asarray(of.field(self.case, self.last(), name))
+
+    def has_means(self):
+        return self.window is not None and bool(
+            list((self.case / self.last()).glob("solidsAverages:*")))
+
+    def section_rate(self, height, thickness=0.32):
+        """Mean upward solids flow through a section [kg/s]: the momentum in a
+        slab over its thickness."""
+        z, volume = self.field("C")[:, 2], self.field("V")
+        inside = abs(z - height) < 0.5*thickness
+        layers = np.unique(np.round(z[inside], 4))
+        slab = layers.size*np.diff(layers).mean()
+        flux = self.field("solidsAverages:massFluxMean")[:, 2]
+        return (flux*volume)[inside].sum()/slab
+
+    def residence_time(self):
+        return self.mean(self.mass)[0]/self.rate
+
+    def long_enough(self):
+        """Is what means say to be certain? Over two residence times it is."""
+        start, end = self.window
+        return end - start > 2*self.residence_time()
+
+    # What the pressure drop is made of
+
+    def weight_drop(self):
+        """Weight of the solids and the gas in the riser over its area, and its
+        error [Pa]. What is in the side pipes, by their share of the mean, lies
+        on their floors."""
+        mean, error = self.mean(self.mass + self.gas_mass)
+        share = self.share_in_riser()
+        return share*mean*self.g/AREA, share*error*self.g/AREA
+
+    def share_in_riser(self):
+        """Of the solids, in the mean."""
+        centre = self.field("C")
+        mass = self.field("solidsAverages:densityMean")*self.field("V")
+        inside = np.hypot(centre[:, 0], centre[:, 1]) < RADIUS
+        return mass[inside].sum()/mass.sum()
+
+    def momentum_drop(self):
+        """Momentum that the solids carry up the middle of the riser, and leave
+        at its top [Pa]."""
+        height = self.profile("height")
+        low, high = PARTS["middle"]
+        inside = ((height["coordinate"] > low)
+                  & (height["coordinate"] < high))
+        return (height["massFluxZ"]*height["velocityZ"])[inside].mean()
