@@ -221,14 +221,14 @@ class Riser:
             list((self.case / self.last()).glob("solidsAverages:*")))
 
     def section_rate(self, height, thickness=0.32):
-        """Mean upward solids flow through a section [kg/s]: the momentum in a
-        slab over its thickness."""
-        z, volume = self.field("C")[:, 2], self.field("V")
-        inside = abs(z - height) < 0.5*thickness
-        layers = np.unique(np.round(z[inside], 4))
-        slab = layers.size*np.diff(layers).mean()
+        """Mean upward solids flow through a section [kg/s]: the momentum in
+        the layers of cells about it, over their thickness."""
+        layer_height = self.cell_size[1]
+        layer = np.floor(self.field("C")[:, 2]/layer_height)
+        inside = abs((layer + 0.5)*layer_height - height) < 0.5*thickness
+        slab = np.unique(layer[inside]).size*layer_height
         flux = self.field("solidsAverages:massFluxMean")[:, 2]
-        return (flux*volume)[inside].sum()/slab
+        return (flux*self.field("V"))[inside].sum()/slab
 
     def residence_time(self):
         return self.mean(self.mass)[0]/self.rate
