@@ -115,8 +115,11 @@ Foam::List<Foam::symmTensor> Foam::cghs::cellKernels::shapes() const
 
     const symmTensor mask
     (
-        used.x() > 0, used.x() > 0 && used.y() > 0, used.x() > 0 && used.z() > 0,
-        used.y() > 0, used.y() > 0 && used.z() > 0,
+        used.x() > 0,
+        used.x() > 0 && used.y() > 0,
+        used.x() > 0 && used.z() > 0,
+        used.y() > 0,
+        used.y() > 0 && used.z() > 0,
         used.z() > 0
     );
     const symmTensor rest(1 - mask.xx(), 0, 0, 1 - mask.yy(), 0, 1 - mask.zz());

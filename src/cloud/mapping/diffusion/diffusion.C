@@ -36,7 +36,7 @@ Foam::cghs::diffusion::diffusion
 )
 :
     mesh_(mesh),
-    kernels_(mesh),
+    kernels_(parcelDiameter > 0 ? new cellKernels(mesh) : nullptr),
     faces_(mesh),
     nSteps_(0)
 {
