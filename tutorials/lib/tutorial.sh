@@ -220,7 +220,8 @@ runSolver()
     solver=$!
     while kill -0 "$solver" 2> /dev/null
     do
-        sleep 1
+        # Often, as the solver takes no heed of a file from before it began
+        sleep 0.2
         showProgress
         [ -z "$deadline" ] || [ "$SECONDS" -lt "$deadline" ] || touch stop
     done
