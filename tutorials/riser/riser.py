@@ -219,6 +219,14 @@ class Riser:
         return self.window is not None and bool(
             list((self.case / self.last()).glob("solidsAverages:*")))
 
+    def scatter(self):
+        """Standard error of a cell's mean solids fraction over that mean, in
+        the median cell of those that have a tenth of the riser's mean."""
+        mean = self.field("solidsAverages:fractionMean")
+        error = self.field("solidsAverages:fractionMeanError")
+        some = mean > 0.1*np.average(mean, weights=self.field("V"))
+        return np.median(error[some]/mean[some])
+
     def section_rate(self, height, thickness=0.32):
         """Mean upward solids flow through a section [kg/s]: the momentum in
         the layers of cells about it, over their thickness."""
