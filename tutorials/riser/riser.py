@@ -8,6 +8,7 @@
 # ------------------------------------------------------------------------------
 """The riser: its inputs, its series in time, its means with errors."""
 
+import re
 import sys
 from pathlib import Path
 
@@ -42,6 +43,7 @@ class Riser:
     def __init__(self, case):
         self.case = Path(case)
         self.name = self.case.resolve().name
+        self._taps = {}
         self._read_inputs()
         self._read_series()
         self._find_window()
@@ -89,9 +91,6 @@ class Riser:
         self.inlet_pressure = self._at_steps("inletPressure")
         self.outlet_pressure = self._at_steps("outletPressure")
         self.pressure_drop = self.inlet_pressure - self.outlet_pressure
-        _, rows = self._probes()
-        self.top_pressure = np.interp(self.time, rows[:, 0], rows[:, -1])
-        self.exit_drop = self.top_pressure - self.outlet_pressure
         self.gas_in = (-self._at_steps("inletFlow")
                        - self._at_steps("sideInletFlow"))
         self.gas_out = self._at_steps("outletFlow")
@@ -174,30 +173,30 @@ class Riser:
 
     # The taps along the wall
 
-    def _probes(self):
-        """Heights of the probes, and rows of times and pressures there."""
-        files = sorted((self.case / "postProcessing" / "taps").glob("*/p"),
-                       key=lambda path: float(path.parent.name))
-        lines = files[0].read_text().splitlines()
-        z = np.array([float(line.split("(")[1].split()[2].rstrip(")"))
-                      for line in lines if line.startswith("# Probe")])
-        rows = np.empty((0, z.size + 1))
-        for path in files:
-            new = of.table(path)
-            if new.size:
-                rows = np.vstack([rows[rows[:, 0] < new[0, 0]], new])
-        return z, rows
+    def _tap_table(self):
+        """The columns of the taps' table by their names. There is none before
+        means begin."""
+        if not self._taps:
+            self._taps = dict(zip(column_names(self.case, "taps"),
+                                  series(self.case, "taps").T))
+        return self._taps
+
+    def tap_series(self, pair):
+        """Times, and what a pair of taps has shown."""
+        table = self._tap_table()
+        return table["time"], table[pair]
+
+    def tap_mean(self, pair):
+        """Mean of a pair of taps over the window, and its standard error."""
+        table = self._tap_table()
+        return table[pair + "Mean"][-1], table[pair + "Error"][-1]
 
     def taps(self):
-        """Heights, mean pressures over that of the outlet, errors."""
-        z, rows = self._probes()
-        late = rows[rows[:, 0] > self.window[0]][:, 1:]
-
-        def blocks(n):
-            return np.array([part.mean(axis=0)
-                             for part in np.array_split(late, n)])
-
-        return z, blocks(1)[0] - OUTLET_PRESSURE, block_error(blocks)
+        """Heights, mean pressures over that at the exit, errors."""
+        pairs = [name for name in self._tap_table()
+                 if re.match(r"z[\d.]+$", name)]
+        mean, error = np.transpose([self.tap_mean(pair) for pair in pairs])
+        return np.array([float(pair[1:]) for pair in pairs]), mean, error
 
     def apparent_voidage(self):
         """Heights between the taps, and the voidage there if the pressure's
@@ -219,6 +218,14 @@ class Riser:
     def has_means(self):
         return self.window is not None and bool(
             list((self.case / self.last()).glob("solidsAverages:*")))
+
+    def scatter(self):
+        """Standard error of a cell's mean solids fraction over that mean, in
+        the median cell of those that have a tenth of the riser's mean."""
+        mean = self.field("solidsAverages:fractionMean")
+        error = self.field("solidsAverages:fractionMeanError")
+        some = mean > 0.1*np.average(mean, weights=self.field("V"))
+        return np.median(error[some]/mean[some])
 
     def section_rate(self, height, thickness=0.32):
         """Mean upward solids flow through a section [kg/s]: the momentum in

@@ -5,6 +5,7 @@
 
 #include "solidsAverages.H"
 #include "arena.H"
+#include "checkedEntry.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -36,19 +37,17 @@ static void addToVariance
     variance = (1 - share)*(variance + share*sqr(x - mean));
 }
 
+
+//- Name of a field that keeps the blocks
+static word stateName(const label k)
+{
+    return "blockState" + Foam::name(k);
+}
+
 } // End namespace cghs
 } // End namespace Foam
 
 // * * * * * * * * * * * * * * * Construction  * * * * * * * * * * * * * * * //
-
-Foam::cghs::solidsAverages::sums::sums(const label nCells)
-:
-    fraction(nCells, Zero),
-    density(nCells, Zero),
-    flux(nCells, Zero),
-    stress(nCells, Zero)
-{}
-
 
 template<class Type>
 Foam::GeometricField<Type, Foam::fvPatchField, Foam::volMesh>
@@ -106,6 +105,10 @@ Foam::cghs::solidsAverages::solidsAverages
     {
         resumeAll();
     }
+    if (dict.found("blockTime"))
+    {
+        makeBlocks(dict);
+    }
 }
 
 
@@ -160,14 +163,103 @@ void Foam::cghs::solidsAverages::resumeAll()
         << duration_ << " s" << nl << endl;
 }
 
+// * * * * * * * * * * * * * * * The errors  * * * * * * * * * * * * * * * * //
+
+void Foam::cghs::solidsAverages::makeBlocks(const dictionary& dict)
+{
+    blocks_.reset
+    (
+        new solidsBlocks(positiveScalar(dict, "blockTime"), mesh_.nCells())
+    );
+
+    scalar formerLength;
+    if (!getProperty("blockTime", formerLength))
+    {
+        return;
+    }
+
+    if (mag(formerLength - blocks_->length()) > 1e-6*formerLength)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry blockTime is " << blocks_->length() << " but until time "
+            << mesh_.time().timeName() << " it was " << formerLength << nl
+            << "Leave it, or rename the function object to start anew" << nl
+            << exit(FatalIOError);
+    }
+
+    List<tensorField> state(solidsBlocks::nStates);
+    forAll(state, k)
+    {
+        auto field = averageField<tensor>(stateName(k), dimless);
+        resume(field);
+        state[k] = field.primitiveField();
+    }
+
+    scalar nBlocks = 0;
+    scalar elapsed = 0;
+    getProperty("nBlocks", nBlocks);
+    getProperty("blockElapsed", elapsed);
+    blocks_->setState(nBlocks, elapsed, state);
+}
+
+
+template<class Type>
+void Foam::cghs::solidsAverages::writeValues
+(
+    const word& name,
+    const dimensionSet& dimensions,
+    const Field<Type>& values
+) const
+{
+    auto field = averageField<Type>(name, dimensions);
+
+    field.primitiveFieldRef() = values;
+    field.correctBoundaryConditions();
+    field.write();
+}
+
+
+void Foam::cghs::solidsAverages::writeErrors()
+{
+    if (blocks_->nBlocks() > 1)
+    {
+        writeValues("fractionMeanError", dimless, blocks_->fractionError());
+        writeValues
+        (
+            "massFluxMeanError",
+            dimDensity*dimVelocity,
+            blocks_->fluxError()
+        );
+        writeValues("velocityMeanError", dimVelocity, blocks_->velocityError());
+        writeValues
+        (
+            "granularTemperatureError",
+            sqr(dimVelocity),
+            blocks_->temperatureError()
+        );
+    }
+
+    const List<tensorField> state(blocks_->state());
+    forAll(state, k)
+    {
+        writeValues(stateName(k), dimless, state[k]);
+    }
+    setProperty("blockTime", blocks_->length());
+    setProperty("nBlocks", scalar(blocks_->nBlocks()));
+    setProperty("blockElapsed", blocks_->elapsed());
+
+    Info<< type() << ' ' << name() << ": errors from " << blocks_->nBlocks()
+        << " blocks of " << blocks_->length() << " s" << nl << endl;
+}
+
 // * * * * * * * * * * * * * * * * The means * * * * * * * * * * * * * * * * //
 
-Foam::cghs::solidsAverages::sums Foam::cghs::solidsAverages::instant() const
+Foam::cghs::cellSums Foam::cghs::solidsAverages::instant() const
 {
     const arena& parcels = this->parcels();
     const scalarField& V = mesh_.V();
 
-    sums s(mesh_.nCells());
+    cellSums s(mesh_.nCells());
 
     for (label i = 0; i < parcels.size(); ++i)
     {
@@ -187,7 +279,7 @@ Foam::cghs::solidsAverages::sums Foam::cghs::solidsAverages::instant() const
 
 bool Foam::cghs::solidsAverages::execute()
 {
-    const sums now(instant());
+    const cellSums now(instant());
     const scalar deltaT = mesh_.time().deltaTValue();
 
     duration_ += deltaT;
@@ -220,6 +312,11 @@ bool Foam::cghs::solidsAverages::execute()
         ),
         share
     );
+
+    if (blocks_.valid())
+    {
+        blocks_->add(now, deltaT);
+    }
 
     return true;
 }
@@ -274,6 +371,11 @@ bool Foam::cghs::solidsAverages::write()
     }
 
     setProperty("duration", duration_);
+
+    if (blocks_.valid())
+    {
+        writeErrors();
+    }
 
     return true;
 }

@@ -28,14 +28,13 @@ Foam::cghs::solidsInventory::solidsInventory
 )
 :
     cloudFunctionObject(name, time, dict),
-    writeFile(mesh_, name, typeName),
     zones_(),
     patches_(),
     feeders_(),
     inZone_(),
     flown_(),
     flownStep_(-1),
-    means_()
+    means_(*this, mesh_, typeName)
 {
     read(dict);
 }
@@ -44,20 +43,14 @@ Foam::cghs::solidsInventory::solidsInventory
 bool Foam::cghs::solidsInventory::read(const dictionary& dict)
 {
     cloudFunctionObject::read(dict);
-    writeFile::read(dict);
 
     const bool again = means_.names().size();
-    if (again)
-    {
-        means_.keep(*this);
-    }
 
     findZones(dict);
     findPatches(dict);
     findFeeders(dict);
 
-    means_ = timeMeans(names());
-    means_.resume(*this, dict, "Entries cellZones, patches and feeders");
+    means_.start(names(), dict, "Entries cellZones, patches and feeders");
 
     if (!again)
     {
@@ -241,18 +234,7 @@ bool Foam::cghs::solidsInventory::execute()
 
 bool Foam::cghs::solidsInventory::write()
 {
-    if (writeToFile() && !means_.empty())
-    {
-        if (!filePtr_.valid())
-        {
-            resetFile(typeName);
-            means_.writeHead(file());
-            file().precision(writePrecision_);
-        }
-        means_.writeRow(file(), mesh_.time().value());
-    }
-
-    means_.keep(*this);
+    means_.write();
 
     return true;
 }

@@ -12,57 +12,9 @@
 
 Foam::cghs::blockMoments::level::level(const label nMoments)
 :
-    mean(nMoments, Zero),
-    products((nMoments*(nMoments + 1))/2, Zero),
+    blocks(nMoments),
     waiting(nMoments, Zero)
 {}
-
-
-void Foam::cghs::blockMoments::level::add(const UList<scalar>& block)
-{
-    // As deviations from the running mean, so that what does not vary leaves
-    // exactly nothing
-    ++nBlocks;
-    const scalar share = (nBlocks - 1)/nBlocks;
-
-    label entry = 0;
-    for (label k = 0; k < mean.size(); ++k)
-    {
-        const scalar deviation = share*(block[k] - mean[k]);
-
-        for (label l = k; l < mean.size(); ++l)
-        {
-            products[entry++] += deviation*(block[l] - mean[l]);
-        }
-    }
-
-    for (label k = 0; k < mean.size(); ++k)
-    {
-        mean[k] += (block[k] - mean[k])/nBlocks;
-    }
-}
-
-
-Foam::scalar Foam::cghs::blockMoments::level::squaredError
-(
-    const UList<scalar>& gradient
-) const
-{
-    scalar sum = 0;
-
-    label entry = 0;
-    for (label k = 0; k < gradient.size(); ++k)
-    {
-        sum += sqr(gradient[k])*products[entry++];
-
-        for (label l = k + 1; l < gradient.size(); ++l)
-        {
-            sum += 2*gradient[k]*gradient[l]*products[entry++];
-        }
-    }
-
-    return max(sum, scalar(0))/(nBlocks*(nBlocks - 1));
-}
 
 // * * * * * * * * * * * * * * * * The series  * * * * * * * * * * * * * * * //
 
@@ -75,7 +27,7 @@ Foam::cghs::blockMoments::blockMoments(const label nMoments)
 
 Foam::scalar Foam::cghs::blockMoments::nSamples() const
 {
-    return levels_.empty() ? 0 : levels_[0].nBlocks;
+    return levels_.empty() ? 0 : levels_[0].blocks.nSamples();
 }
 
 
@@ -90,7 +42,7 @@ void Foam::cghs::blockMoments::add(const UList<scalar>& sample)
             levels_.append(level(nMoments_));
         }
         level& here = levels_[l];
-        here.add(block);
+        here.blocks.add(block);
 
         here.anyWaiting = !here.anyWaiting;
         if (here.anyWaiting)
@@ -105,7 +57,7 @@ void Foam::cghs::blockMoments::add(const UList<scalar>& sample)
 
 Foam::scalar Foam::cghs::blockMoments::mean(const label k) const
 {
-    return levels_.empty() ? 0 : levels_[0].mean[k];
+    return levels_.empty() ? 0 : levels_[0].blocks.mean(k);
 }
 
 
@@ -120,7 +72,7 @@ Foam::cghs::blockMoments::estimate Foam::cghs::blockMoments::function
         return {value, std::numeric_limits<scalar>::quiet_NaN(), false};
     }
 
-    const scalar single = levels_[0].squaredError(gradient);
+    const scalar single = levels_[0].blocks.squaredError(gradient);
     if (!(single > 0))
     {
         return {value, 0, true};
@@ -130,11 +82,11 @@ Foam::cghs::blockMoments::estimate Foam::cghs::blockMoments::function
     for
     (
         label l = 1;
-        l < levels_.size() && levels_[l].nBlocks >= minBlocks;
+        l < levels_.size() && levels_[l].blocks.nSamples() >= minBlocks;
         ++l
     )
     {
-        const scalar joined = levels_[l].squaredError(gradient);
+        const scalar joined = levels_[l].blocks.squaredError(gradient);
 
         if (std::pow(8.0, l) > 2*nSamples()*sqr(joined/single))
         {
@@ -172,7 +124,7 @@ Foam::cghs::blockMoments::estimate Foam::cghs::blockMoments::ratio
 
 Foam::label Foam::cghs::blockMoments::stateSize() const
 {
-    return 2 + 2*nMoments_ + (nMoments_*(nMoments_ + 1))/2;
+    return 2 + covariances(nMoments_).stateSize() + nMoments_;
 }
 
 
@@ -182,10 +134,12 @@ Foam::List<Foam::scalar> Foam::cghs::blockMoments::state() const
 
     for (const level& l : levels_)
     {
-        numbers.append(l.nBlocks);
+        scalarList known(l.blocks.stateSize());
+        l.blocks.getState(0, known);
+
+        numbers.append(l.blocks.nSamples());
         numbers.append(l.anyWaiting ? 1 : 0);
-        numbers.append(l.mean);
-        numbers.append(l.products);
+        numbers.append(known);
         numbers.append(l.waiting);
     }
 
@@ -206,16 +160,15 @@ bool Foam::cghs::blockMoments::setState(const UList<scalar>& state)
     while (at < state.size())
     {
         level l(nMoments_);
-        l.nBlocks = state[at++];
+        l.blocks.setSamples(state[at++]);
         l.anyWaiting = state[at++] > 0.5;
 
-        for (scalarField* part : {&l.mean, &l.products, &l.waiting})
-        {
-            for (scalar& number : *part)
-            {
-                number = state[at++];
-            }
-        }
+        const label nKnown = l.blocks.stateSize();
+        l.blocks.setState(0, SubList<scalar>(state, nKnown, at));
+        at += nKnown;
+
+        l.waiting = SubList<scalar>(state, nMoments_, at);
+        at += nMoments_;
         levels_.append(l);
     }
 

@@ -6,12 +6,42 @@
 #include "timeMeans.H"
 #include "Time.H"
 
-Foam::cghs::timeMeans::timeMeans(const wordList& names)
+Foam::cghs::timeMeans::timeMeans
+(
+    functionObjects::stateFunctionObject& owner,
+    const objectRegistry& obr,
+    const word& table
+)
 :
-    names_(names),
-    now_(names.size(), Zero),
-    moments_(1 + names.size())
+    writeFile(obr, owner.name(), table),
+    owner_(owner),
+    names_(),
+    now_(),
+    moments_(1)
 {}
+
+
+void Foam::cghs::timeMeans::start
+(
+    const wordList& names,
+    const dictionary& dict,
+    const char* entries
+)
+{
+    read(dict);
+
+    if (names_.size())
+    {
+        // Asked for again during the run
+        keep();
+    }
+
+    names_ = names;
+    now_ = scalarField(names.size(), Zero);
+    moments_ = blockMoments(1 + names.size());
+
+    resume(dict, entries);
+}
 
 
 void Foam::cghs::timeMeans::add(const scalar deltaT)
@@ -27,17 +57,6 @@ void Foam::cghs::timeMeans::add(const scalar deltaT)
 
 // * * * * * * * * * * * * * * * * The table * * * * * * * * * * * * * * * * //
 
-void Foam::cghs::timeMeans::writeHead(Ostream& os) const
-{
-    os  << "# time";
-    for (const word& name : names_)
-    {
-        os  << ' ' << name << ' ' << name << "Mean " << name << "Error";
-    }
-    os  << endl;
-}
-
-
 void Foam::cghs::timeMeans::writeRow(Ostream& os, const scalar time) const
 {
     os  << time;
@@ -49,39 +68,54 @@ void Foam::cghs::timeMeans::writeRow(Ostream& os, const scalar time) const
     os  << endl;
 }
 
+
+void Foam::cghs::timeMeans::write()
+{
+    if (writeToFile() && moments_.nSamples() > 0)
+    {
+        if (!filePtr_.valid())
+        {
+            resetFile(fileName_);
+            file() << "# time";
+            for (const word& name : names_)
+            {
+                file()
+                    << ' ' << name << ' ' << name << "Mean " << name << "Error";
+            }
+            file() << endl;
+            file().precision(writePrecision_);
+        }
+        writeRow(file(), owner_.time().value());
+    }
+
+    keep();
+}
+
 // * * * * * * * * * * * * * * * * Restarts  * * * * * * * * * * * * * * * * //
 
-void Foam::cghs::timeMeans::keep
-(
-    functionObjects::stateFunctionObject& object
-) const
+void Foam::cghs::timeMeans::keep() const
 {
-    object.setProperty("names", names_);
-    object.setProperty("moments", moments_.state());
+    owner_.setProperty("names", names_);
+    owner_.setProperty("moments", moments_.state());
 }
 
 
-void Foam::cghs::timeMeans::resume
-(
-    functionObjects::stateFunctionObject& object,
-    const dictionary& dict,
-    const char* entries
-)
+void Foam::cghs::timeMeans::resume(const dictionary& dict, const char* entries)
 {
     wordList formerNames;
-    if (!object.getProperty("names", formerNames))
+    if (!owner_.getProperty("names", formerNames))
     {
         return;
     }
 
     List<scalar> state;
-    object.getProperty("moments", state);
+    owner_.getProperty("moments", state);
 
     if (formerNames != names_ || !moments_.setState(state))
     {
         FatalIOErrorInFunction(dict)
             << entries << " ask for " << names_ << " but until time "
-            << object.time().timeName() << " it was " << formerNames << nl
+            << owner_.time().timeName() << " it was " << formerNames << nl
             << "Ask for the same, or rename the function object to start"
             << " anew" << nl
             << exit(FatalIOError);

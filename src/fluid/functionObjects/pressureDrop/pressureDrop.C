@@ -27,10 +27,9 @@ Foam::cghs::pressureDrop::pressureDrop
 )
 :
     fvMeshFunctionObject(name, time, dict),
-    writeFile(mesh_, name, typeName),
     taps_(),
     cells_(),
-    means_()
+    means_(*this, mesh_, typeName)
 {
     read(dict);
 }
@@ -39,19 +38,11 @@ Foam::cghs::pressureDrop::pressureDrop
 bool Foam::cghs::pressureDrop::read(const dictionary& dict)
 {
     fvMeshFunctionObject::read(dict);
-    writeFile::read(dict);
-
-    if (means_.names().size())
-    {
-        // Read again during the run
-        means_.keep(*this);
-    }
 
     const dictionary& pairs = dict.subDict("pairs");
 
     findPairs(pairs);
-    means_ = timeMeans(pairs.toc());
-    means_.resume(*this, dict, "Entries of pairs");
+    means_.start(pairs.toc(), dict, "Entries of pairs");
     checkFormerTaps(pairs);
 
     return true;
@@ -167,18 +158,7 @@ bool Foam::cghs::pressureDrop::execute()
 
 bool Foam::cghs::pressureDrop::write()
 {
-    if (writeToFile() && !means_.empty())
-    {
-        if (!filePtr_.valid())
-        {
-            resetFile(typeName);
-            means_.writeHead(file());
-            file().precision(writePrecision_);
-        }
-        means_.writeRow(file(), mesh_.time().value());
-    }
-
-    means_.keep(*this);
+    means_.write();
     setProperty("taps", taps_);
 
     return true;
