@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "suspension.H"
+#include "sortedIndices.H"
 
 Foam::cghs::suspension::suspension
 (
@@ -46,6 +47,13 @@ void Foam::cghs::suspension::addColumns(arena& parcels)
 
 // * * * * * * * * * * * * * * *  What is met * * * * * * * * * * * * * * * * //
 
+void Foam::cghs::suspension::sort(const arena& parcels)
+{
+    labelList start;
+    order_ = sortedIndices(parcels.cells, nCells_, start);
+}
+
+
 template<class Row>
 Row Foam::cghs::suspension::read
 (
@@ -84,8 +92,9 @@ void Foam::cghs::suspension::meet
     }
 
     kernels_->rings().fetch(fluid_);
+    sort(parcels);
 
-    for (label i = 0; i < parcels.size(); ++i)
+    for (const label i : order_)
     {
         met_[i] = read(fluid_, parcels, i);
         taken_[i] = Zero;
@@ -257,8 +266,9 @@ void Foam::cghs::suspension::spreadLoads
 )
 {
     List<cghs::load> sums(kernels_->rings().nSlots());
+    sort(parcels);
 
-    for (label i = 0; i < parcels.size(); ++i)
+    for (const label i : order_)
     {
         cghs::load own(loadOf(parcels, i, fluidDeltaT));
         own.setVector(1, taken_[i]);
@@ -335,8 +345,10 @@ void Foam::cghs::suspension::complete
         kernels_->rings().fetch(byCell);
     }
 
-    for (label i = 0; i < parcels.size(); ++i)
+    for (label k = 0; k < parcels.size(); ++k)
     {
+        const label i = kernels_ ? order_[k] : k;
+
         parcels.motions[i].v +=
             answer
             (

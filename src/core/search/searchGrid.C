@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "searchGrid.H"
+#include "sortedIndices.H"
 #include "ListOps.H"
 
 #include <algorithm>
@@ -117,27 +118,11 @@ Foam::labelList Foam::cghs::searchGrid::sort
     lay(spheres, width);
 
     labelList cells(spheres.size());
-    cellStart_.resize(n_.x()*n_.y()*n_.z() + 1);
-    cellStart_ = 0;
 
     forAll(spheres, i)
     {
         cells[i] = index(spheres[i].x);
-        ++cellStart_[cells[i] + 1];
     }
 
-    for (label c = 1; c < cellStart_.size(); ++c)
-    {
-        cellStart_[c] += cellStart_[c - 1];
-    }
-
-    labelList next(SubList<label>(cellStart_, cellStart_.size() - 1));
-    labelList order(spheres.size());
-
-    forAll(spheres, i)
-    {
-        order[next[cells[i]]++] = i;
-    }
-
-    return order;
+    return sortedIndices(cells, n_.x()*n_.y()*n_.z(), cellStart_);
 }

@@ -265,32 +265,105 @@ void Foam::cghs::cellKernels::visitSamples
 }
 
 
+void Foam::cghs::cellKernels::integrate
+(
+    const label celli,
+    scalarList& sums
+) const
+{
+    const SubList<label> ring(rings_.ring(celli));
+    scalarList shares(ring.size(), Zero);
+
+    near_.gather(kernels_, ring);
+
+    visitSamples
+    (
+        celli,
+        [&](const point& x, const scalar volume)
+        {
+            const scalar sum = near_.weigh(x);
+
+            if (sum < VSMALL)
+            {
+                sums[celli] += volume;
+                return;
+            }
+
+            const scalar scale = volume/sum;
+
+            forAll(shares, i)
+            {
+                shares[i] += scale*near_.weights()[i];
+            }
+        }
+    );
+
+    forAll(ring, i)
+    {
+        sums[rings_.slot(ring[i])] += shares[i];
+    }
+}
+
+
 Foam::scalarList Foam::cghs::cellKernels::integrals() const
 {
     scalarList sums(rings_.nSlots(), Zero);
 
     for (label celli = 0; celli < rings_.nCells(); ++celli)
     {
-        visitSamples
-        (
-            celli,
-            [&](const point& x, const scalar volume)
-            {
-                visit
-                (
-                    x,
-                    celli,
-                    [&](const label slot, const scalar share)
-                    {
-                        sums[slot] += share*volume;
-                    }
-                );
-            }
-        );
+        integrate(celli, sums);
     }
 
     rings_.collect(sums, plusEqOp<scalar>(), scalar(0));
     return sums;
+}
+
+
+void Foam::cghs::cellKernels::adopt(scalarList&& factors)
+{
+    rings_.fetch(factors);
+
+    for (kernel& k : kernels_)
+    {
+        k.factor = factors[k.slot];
+    }
+
+    near_.forget();
+}
+
+
+Foam::scalar Foam::cghs::cellKernels::improve
+(
+    scalarList& factors,
+    scalarList& steps
+) const
+{
+    // m_c <- m_c V_c/int w_c turns an error of ln m into P times it, with
+    // P_ck = int w_c w_k/V_c: one that is smooth, as beside cells of another
+    // size, hardly falls. Twice the step, with half of the last one in it, is
+    // as stable, since P has eigenvalues from 0 to 1, and where one step leaves
+    // 0.96 of the error it leaves 0.71
+    constexpr scalar length = 2;
+    constexpr scalar momentum = 0.5;
+
+    // Far from the end steps could grow without bound
+    constexpr scalar longest = 0.7;
+
+    const scalarList sums(integrals());
+    scalar worst = 0;
+
+    forAll(factors, celli)
+    {
+        const scalar ratio =
+            mesh_.cellVolumes()[celli]/max(sums[celli], VSMALL);
+        const scalar missing = max(min(::log(ratio), longest), -longest);
+
+        worst = max(worst, mag(ratio - 1));
+        steps[celli] = length*missing + momentum*steps[celli];
+        factors[celli] *= ::exp(steps[celli]);
+    }
+
+    return returnReduce(worst, maxOp<scalar>());
 }
 
 
@@ -300,30 +373,13 @@ void Foam::cghs::cellKernels::setFactors()
     constexpr scalar enough = 1e-3;
 
     scalarList factors(rings_.nCells(), scalar(1));
+    scalarList steps(rings_.nCells(), Zero);
     scalar worst = GREAT;
 
     for (label round = 0; round < patience && worst > enough; ++round)
     {
-        const scalarList sums(integrals());
-        worst = 0;
-
-        forAll(factors, celli)
-        {
-            const scalar ratio =
-                mesh_.cellVolumes()[celli]/max(sums[celli], VSMALL);
-
-            worst = max(worst, mag(ratio - 1));
-            factors[celli] *= ratio;
-        }
-        reduce(worst, maxOp<scalar>());
-
-        scalarList bySlot(factors);
-        rings_.fetch(bySlot);
-
-        for (kernel& k : kernels_)
-        {
-            k.factor = bySlot[k.slot];
-        }
+        worst = improve(factors, steps);
+        adopt(scalarList(factors));
     }
 }
 
@@ -334,7 +390,7 @@ Foam::cghs::cellKernels::cellKernels(const polyMesh& mesh)
     mesh_(mesh),
     rings_(mesh),
     kernels_(rings_.nImages()),
-    weights_(rings_.maxSize())
+    near_(rings_.maxSize())
 {
     List<symmTensor> shape(shapes());
     const scalarList reach(reaches(shape));
