@@ -47,10 +47,16 @@ void Foam::cghs::suspension::addColumns(arena& parcels)
 
 // * * * * * * * * * * * * * * *  What is met * * * * * * * * * * * * * * * * //
 
-void Foam::cghs::suspension::sort(const arena& parcels)
+Foam::labelList Foam::cghs::suspension::cellByCell(const arena& parcels) const
 {
     labelList start;
-    order_ = sortedIndices(parcels.cells, nCells_, start);
+    return
+        sortedIndices
+        (
+            SubList<label>(parcels.cells, parcels.size()),
+            nCells_,
+            start
+        );
 }
 
 
@@ -92,9 +98,8 @@ void Foam::cghs::suspension::meet
     }
 
     kernels_->rings().fetch(fluid_);
-    sort(parcels);
 
-    for (const label i : order_)
+    for (const label i : cellByCell(parcels))
     {
         met_[i] = read(fluid_, parcels, i);
         taken_[i] = Zero;
@@ -266,9 +271,8 @@ void Foam::cghs::suspension::spreadLoads
 )
 {
     List<cghs::load> sums(kernels_->rings().nSlots());
-    sort(parcels);
 
-    for (const label i : order_)
+    for (const label i : cellByCell(parcels))
     {
         cghs::load own(loadOf(parcels, i, fluidDeltaT));
         own.setVector(1, taken_[i]);
@@ -345,9 +349,11 @@ void Foam::cghs::suspension::complete
         kernels_->rings().fetch(byCell);
     }
 
+    const labelList order(kernels_ ? cellByCell(parcels) : labelList());
+
     for (label k = 0; k < parcels.size(); ++k)
     {
-        const label i = kernels_ ? order_[k] : k;
+        const label i = kernels_ ? order[k] : k;
 
         parcels.motions[i].v +=
             answer

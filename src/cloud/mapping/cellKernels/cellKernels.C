@@ -381,6 +381,14 @@ void Foam::cghs::cellKernels::setFactors()
         worst = improve(factors, steps);
         adopt(scalarList(factors));
     }
+
+    if (worst > enough)
+    {
+        WarningInFunction
+            << "Parcels that fill the mesh evenly would fill a cell by "
+            << 100*worst << " % too much or too little: its neighbours differ"
+            << " so much from it in size or shape" << endl;
+    }
 }
 
 // * * * * * * * * * * * * * * * * * Public  * * * * * * * * * * * * * * * * //
