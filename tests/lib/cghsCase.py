@@ -58,6 +58,24 @@ def foam(value):
     return "(" + " ".join(foam(v) for v in value) + ")"
 
 
+def ideal_gas(rho, mu, T=300, molWeight=28.96):
+    """Parameters of an isothermal gas that has this density and viscosity."""
+    return {"fluid": "isothermalGas", "T": T, "molWeight": molWeight,
+            "p": rho*8314.46/molWeight*T, "muGas": mu}
+
+
+def lattice(*numbers):
+    """So many points along each axis, in the middle of as many equal parts of
+    a box of side 1."""
+    axes = [(np.arange(n) + 0.5)/n for n in numbers]
+    return np.stack(np.meshgrid(*axes, indexing="ij"), -1).reshape(-1, 3)
+
+
+def environment(folder):
+    """OpenFOAM takes the current folder from PWD."""
+    return {**os.environ, "PWD": str(Path(folder).resolve())}
+
+
 def run(folder, *command):
     """Run a program in the folder, its output in log.<program>; when it fails
     show the last lines and stop the test."""
@@ -67,8 +85,8 @@ def run(folder, *command):
     with open(log, "w") as output:
         status = subprocess.run(
             command, cwd=folder, stdin=subprocess.DEVNULL,
-            env={**os.environ, "PWD": str(Path(folder).resolve())},
-            stdout=output, stderr=subprocess.STDOUT, check=False,
+            env=environment(folder), stdout=output, stderr=subprocess.STDOUT,
+            check=False,
         ).returncode
     if status != 0:
         print(f"{' '.join(command)} ended with status {status}, see {log}:")
@@ -88,6 +106,7 @@ class Case:
         if overlay:
             shutil.copytree(COMMON / overlay, self.folder, dirs_exist_ok=True)
         (self.folder / "changes").touch()
+        self.cells = parameters.get("cells", (10, 10, 10))
         self.set(**parameters)
         if mesh:
             self.run("blockMesh")
@@ -175,6 +194,26 @@ class Case:
             folder.unlink()  # a link to that of the whole case
         self.run("mpirun", "-np", str(ranks), "cghsFoam", "-parallel")
 
+    def go_on(self, until, ranks=1):
+        """From the last time that was written."""
+        self.set(startFrom="latestTime", endTime=until)
+        self.solve(ranks)
+
+    def refused(self, *texts):
+        """The solver must refuse the case, with OpenFOAM's error: how many of
+        the texts that one does not say, and one more if it is none."""
+        done = subprocess.run(
+            ["cghsFoam"], cwd=self.folder, env=environment(self.folder),
+            stdin=subprocess.DEVNULL, capture_output=True, text=True,
+            check=False)
+        said = done.stdout + done.stderr
+        (self.folder / "log.cghsFoam").write_text(said)
+        missing = [text for text in ("FOAM FATAL", *texts) if text not in said]
+        if missing or done.returncode == 0:
+            print(f"{self.folder}: status {done.returncode}, not said: "
+                  f"{missing}")
+        return len(missing) + (done.returncode == 0)
+
     # What it wrote
 
     def last(self):
@@ -197,19 +236,20 @@ class Case:
 
     def table(self):
         """The table parcels.dat by the names of its columns."""
-        path = self.folder / "postProcessing" / CLOUD / "0/parcels.dat"
-        with open(path) as file:
-            names = file.readline().strip("# \n").split()
-        rows = of.table(path)
-        return dict(zip(names, rows.T))
+        return of.columns(
+            self.folder / "postProcessing" / CLOUD / "0/parcels.dat")
+
+    def by_height(self, name):
+        """Mean of a field in each layer of cells, at the last time."""
+        values = of.field(self.folder, self.last(), name)
+        layers = values.reshape(*self.cells[::-1], -1)
+        return layers.mean(axis=(0, 2)).squeeze()
 
     # Probes
 
     def probe(self, name, *points):
         """Write a field at these points in each step."""
-        places = " ".join(foam(point) for point in points)
-        with open(self.folder / "system/controlDict", "a") as file:
-            file.write(f"""
+        self.append("system/controlDict", f"""
 functions
 {{
     taps
@@ -217,7 +257,7 @@ functions
         type            probes;
         libs            (sampling);
         fields          ({name});
-        probeLocations  ({places});
+        probeLocations  {foam(points)};
     }}
 }}
 """)

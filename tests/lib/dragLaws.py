@@ -12,6 +12,8 @@
 
 import numpy as np
 
+from roots import root
+
 
 def single_sphere(Re):
     """Schiller and Naumann's drag coefficient."""
@@ -136,16 +138,14 @@ def rate(law, u, d, rho, mu, rho_p, e=1 - 2**-50):
 
 
 def carrying_velocity(law, d, rho, mu, rho_p, e=1 - 2**-50, g=9.81):
-    """The superficial velocity in which a suspension of voidage e rests, by
-    bisection: the drag of the slip U/e holds the weight less the buoyancy in
-    the suspension."""
-    low, high = 0.0, 1e3
-    for _ in range(200):
-        U = 0.5*(low + high)
-        holds = U/e*rate(law, U/e, d, rho, mu, rho_p, e) \
-            > e*g*abs(1 - rho/rho_p)
-        low, high = (low, U) if holds else (U, high)
-    return U
+    """The superficial velocity in which a suspension of voidage e rests: the
+    drag of the slip U/e holds the weight less the buoyancy in the
+    suspension."""
+    def excess(U):
+        return U/e*rate(law, U/e, d, rho, mu, rho_p, e) \
+            - e*g*abs(1 - rho/rho_p)
+
+    return root(excess, 1e-30, 1e3)
 
 
 def terminal_velocity(law, d, rho, mu, rho_p, g=9.81):

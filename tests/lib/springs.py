@@ -6,14 +6,12 @@
 
 import numpy as np
 
+from roots import root
+
 
 def damping_ratio(e):
     """eta/(2 sqrt(k m)) at which spheres that part when no force is left have
     the restitution e, from exp(-2) to 1: e = exp(-2 x atan(1/x)) with
-    x = zeta/sqrt(1 - zeta^2). By bisection."""
-    low, high = 0.0, 1e3
-    for _ in range(200):
-        x = 0.5*(low + high)
-        parted = np.exp(-2*x*np.arctan2(1, x))
-        low, high = (x, high) if parted > e else (low, x)
+    x = zeta/sqrt(1 - zeta^2)."""
+    x = root(lambda x: np.exp(-2*x*np.arctan2(1, x)) - e, 0, 1e3)
     return x/np.hypot(1, x)

@@ -104,6 +104,29 @@ lastValue()
 }
 
 
+# A copy of a tutorial that has not been run: copyTutorial NAME FOLDER
+copyTutorial()
+{
+    cp -r "$PROJECT_DIR/tutorials/$1" "$2"
+    "$2/Allclean"
+}
+
+
+# None of the files may be absent or empty: expectFiles CASE FOLDER NAME...
+expectFiles()
+{
+    local case="$1" folder="$2" missing=0 name
+    shift 2
+    for name
+    do
+        [ -s "$folder/$name" ] && continue
+        echo "$case: there is no $folder/$name"
+        missing=$((missing + 1))
+    done
+    result "$case" "$missing" 0
+}
+
+
 # The case must be refused, with OpenFOAM's error and each of the texts in it:
 # expectRefusal CASE 'text' ['text'...] -- COMMAND...
 expectRefusal()

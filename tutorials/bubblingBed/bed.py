@@ -12,18 +12,13 @@ import re
 import sys
 from pathlib import Path
 
-# The project that this case, or the copy of it, lies in
-PROJECT = next(
-    (folder for folder in Path(__file__).resolve().parents
-     if (folder / "etc" / "openfoam").exists()),
-    None,
-)
+PROJECT = next((folder for folder in Path(__file__).resolve().parents
+                if (folder / "etc" / "openfoam").exists()), None)
 if PROJECT is None:
     sys.exit(f"{Path(__file__).parent} is not within a cghsFoam")
-
 sys.path.append(str(PROJECT / "tutorials" / "lib"))
 from fluidisedBed import FluidisedBed  # noqa: E402
-from tutorial import BLOCKS, block_error, np, of, stop  # noqa: E402
+from tutorial import BLOCKS, mean_of, np, of, stop  # noqa: E402
 
 HEIGHTS = (0.025, 0.055, 0.085)  # [m] at which the chapter shows the flux
 
@@ -83,7 +78,7 @@ class Bed(FluidisedBed):
             between = np.diff(np.array(self.averaged, float))
             if not np.allclose(steps, between, rtol=0.01):
                 stop(f"{self.case}: fieldAverage has not "
-                         f"averaged without a gap from {self.averaged[0]} s on")
+                     f"averaged without a gap from {self.averaged[0]} s on")
             self._flux = np.diff(sums, axis=0) / steps.reshape(-1, 1, 1, 1, 1)
         return self._flux
 
@@ -102,13 +97,7 @@ class Bed(FluidisedBed):
     def flux_mean(self, reduce):
         """Mean over the window and standard error of reduce(flux), where
         reduce makes an array of a flux [..., x, y, z, component]."""
-        values = reduce(self.flux_frames())
-
-        def blocks(n):
-            parts = np.array_split(values, n)
-            return np.array([part.mean(axis=0) for part in parts])
-
-        return values.mean(axis=0), block_error(blocks)
+        return mean_of(reduce(self.flux_frames()))
 
     def at_height(self, height):
         """A reduction of a flux to its vertical component at a height, over

@@ -11,19 +11,15 @@
 import sys
 from pathlib import Path
 
-# The project that this case, or the copy of it, lies in
-PROJECT = next(
-    (folder for folder in Path(__file__).resolve().parents
-     if (folder / "etc" / "openfoam").exists()),
-    None,
-)
+PROJECT = next((folder for folder in Path(__file__).resolve().parents
+                if (folder / "etc" / "openfoam").exists()), None)
 if PROJECT is None:
     sys.exit(f"{Path(__file__).parent} is not within a cghsFoam")
-
 sys.path.append(str(PROJECT / "tutorials" / "lib"))
 from fluidisedBed import FluidisedBed  # noqa: E402
 from tutorial import (  # noqa: E402
-    BLOCKS, block_error, clock_series, column_names, np, number, of, ranks, stop,
+    BLOCKS, clock_series, mean_of, np, number, of, option, ranks, ratio_of,
+    stop,
 )
 
 # The reference first; the others as the chapter's figures have them
@@ -38,7 +34,7 @@ class Bed(FluidisedBed):
     def __init__(self, case):
         super().__init__(case)
         self.name = self.case.name
-        self.profiles_from = self._option("profilesFrom")
+        self.profiles_from = option(self.case, "profilesFrom")
         self.tables = sorted(
             (self.case / "postProcessing" / "profiles").glob("*"),
             key=lambda folder: float(folder.name),
@@ -51,15 +47,10 @@ class Bed(FluidisedBed):
         if len(self.averaged) >= 2 * max(BLOCKS):
             self.window = (start, float(self.averaged[-1].name))
 
-    def _option(self, name):
-        system = self.case / "system"
-        return number(system / "runOptions", name,
-                      number(system / "controlDict", name))
-
-    def _parcel_weight(self):
+    def parcel_weight(self):
         return number(self.case / "constant" / "method", "weight")
 
-    def _count_of_parcels(self):
+    def count_of_parcels(self):
         return int(number(self.case / "constant" / "method", "nParcels"))
 
     def overlap_limit(self):
@@ -81,17 +72,15 @@ class Bed(FluidisedBed):
         """x; and fraction and vertical flux, integrated over time from
         profilesFrom to the start of the window and to each averaged time."""
         before = [f for f in self.tables if f not in self.averaged][-1:]
-        columns = column_names(self.case, "profiles")
         rows = []
         for folder in before + self.averaged:
-            table = of.table(folder / f"{name}.dat")
+            table = of.columns(folder / f"{name}.dat")
             duration = float(folder.name) - self.profiles_from
-            fraction = table[:, columns.index("solidsFraction")]
-            flux = table[:, columns.index("massFluxY")] / self.density
-            rows.append(duration * np.array([fraction, flux]))
+            rows.append(duration * np.array(
+                [table["solidsFraction"], table["massFluxY"] / self.density]))
         if not before:
             rows.insert(0, np.zeros_like(rows[0]))
-        return table[:, 0], np.array(rows)
+        return table["coordinate"], np.array(rows)
 
     def profile(self, name, folded=False):
         """x [m]; solids fraction [-] and vertical velocity [m/s] of a profile:
@@ -101,27 +90,12 @@ class Bed(FluidisedBed):
         frames = np.diff(sums, axis=0)
         if folded:
             frames = 0.5 * (frames + frames[..., ::-1])
+        fraction, flux = frames.swapaxes(0, 1)
         length = (self.window[1] - self.window[0]) / len(frames)
-
-        def fractions(n):
-            return np.array([part[:, 0].mean(axis=0) / length
-                             for part in np.array_split(frames, n)])
-
-        def velocities(n):
-            """Of blocks, such that their spread is that of a ratio: what the
-            flux differs from the mean velocity's, over the mean fraction."""
-            fraction, flux = frames.mean(axis=0)
-            u = flux / np.maximum(fraction, 1e-12)
-            return np.array([
-                u + (part[:, 1] - u * part[:, 0]).mean(axis=0)
-                / np.maximum(fraction, 1e-12)
-                for part in np.array_split(frames, n)
-            ])
-
         return {
             "x": x,
-            "fraction": (fractions(1)[0], block_error(fractions)),
-            "velocity": (velocities(1)[0], block_error(velocities)),
+            "fraction": mean_of(fraction / length),
+            "velocity": ratio_of(flux, fraction),
         }
 
     # Scalars

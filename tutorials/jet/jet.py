@@ -12,15 +12,10 @@ import re
 import sys
 from pathlib import Path
 
-# The project that this case, or the copy of it, lies in
-PROJECT = next(
-    (folder for folder in Path(__file__).resolve().parents
-     if (folder / "etc" / "openfoam").exists()),
-    None,
-)
+PROJECT = next((folder for folder in Path(__file__).resolve().parents
+                if (folder / "etc" / "openfoam").exists()), None)
 if PROJECT is None:
     sys.exit(f"{Path(__file__).parent} is not within a cghsFoam")
-
 sys.path.append(str(PROJECT / "tutorials" / "lib"))
 from tutorial import np, number, of, seconds, series  # noqa: E402
 

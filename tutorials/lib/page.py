@@ -17,6 +17,8 @@ try:
     import matplotlib
 
     matplotlib.use("Agg")
+    matplotlib.rcParams["legend.frameon"] = False
+    matplotlib.rcParams["legend.fontsize"] = 9
     from matplotlib import pyplot
 except ImportError:
     pyplot = None
@@ -39,6 +41,13 @@ def new_plot(x_label, y_label):
     axes.set_ylabel(y_label)
     axes.spines[["top", "right"]].set_visible(False)
     return figure, axes
+
+
+def band(axes, x, mean, error, colour, label=None, marker="o"):
+    """Means, and their standard errors as a band about them."""
+    axes.plot(x, mean, color=colour, marker=marker, ms=3, label=label)
+    axes.fill_between(x, mean - error, mean + error, color=colour, alpha=0.2,
+                      lw=0)
 
 
 def save(figure, path):

@@ -5,7 +5,7 @@
 # Description
 #     What the tutorials' evaluate and validate share in reading what a run has
 #     left: inputs, series in time, means with errors. Each tutorial's module
-#     finds the project and begins with
+#     finds the project that it, or the copy of it, lies in, and begins with
 #
 #         PROJECT = next((folder for folder in Path(__file__).resolve().parents
 #                         if (folder / "etc" / "openfoam").exists()), None)
@@ -58,6 +58,13 @@ def number(path, name, default=None):
     return default
 
 
+def option(case, name, file="system/controlDict", default=None):
+    """The number that Allrun has given to an entry, or that it has otherwise in
+    the case's file."""
+    return number(Path(case) / "system" / "runOptions", name,
+                  number(Path(case) / file, name, default))
+
+
 def vector(text, after):
     """The numbers in brackets that follow the pattern."""
     match = re.search(after + r"\s*\(([^()]*)\)", text)
@@ -86,10 +93,14 @@ def series(case, folder):
     return rows
 
 
-def column_names(case, folder):
-    """What stands over the columns of a function object's table."""
+def columns(case, folder):
+    """The same by the names over the columns."""
+    rows = series(case, folder)
     table = next((Path(case) / "postProcessing" / folder).glob("*/*.dat"))
-    return table.read_text().splitlines()[0].lstrip("# ").split()
+    return dict(zip(of.columns(table), rows.T))
+
+
+# Means and their statistical errors
 
 
 def block_error(blocks):
@@ -97,6 +108,25 @@ def block_error(blocks):
     return np.max(
         [blocks(n).std(axis=0, ddof=1) / np.sqrt(n) for n in BLOCKS], axis=0
     )
+
+
+def mean_of(values):
+    """Of values at equal steps of time, and its standard error."""
+    values = np.asarray(values, float)
+
+    def blocks(n):
+        return np.array([part.mean(axis=0)
+                         for part in np.array_split(values, n)])
+
+    return values.mean(axis=0), block_error(blocks)
+
+
+def ratio_of(above, below):
+    """<above>/<below>, and a standard error that knows how they vary together:
+    that of what above differs from the ratio times below."""
+    whole = np.maximum(below.mean(axis=0), 1e-12)
+    ratio = above.mean(axis=0) / whole
+    return ratio, mean_of(above - ratio * below)[1] / whole
 
 
 # The run itself
@@ -128,3 +158,63 @@ def clock_series(case, kind="ClockTime"):
 def ranks(case):
     text = (Path(case) / "log.cghsFoam").read_text()
     return int(re.search(r"nProcs\s*:\s*(\d+)", text)[1])
+
+
+class Run:
+    """A run with parcels: its table of them, and means over time. Lengths in m,
+    pressures in Pa, times in s. A tutorial's own class reads what else it has
+    in read_inputs and read_series."""
+
+    def __init__(self, case):
+        self.case = Path(case)
+        self.window = None  # of the means
+        self.read_inputs()
+        self.read_series()
+
+    def read_inputs(self):
+        gravity = (self.case / "constant" / "g").read_text()
+        self.g = float(np.linalg.norm(vector(gravity, r"\bvalue")))
+        self.average_from = option(self.case, "averageFrom")
+
+    def read_series(self):
+        self.parcels = columns(self.case, "parcels")
+        self.time = self.parcels["time"]
+        self.dt = np.diff(self.time, prepend=0)
+        self.end = float(self.time[-1])
+        self.frames = [t for t in of.times(self.case) if float(t) > 0]
+
+    def at_steps(self, folder):
+        """A function object's value at the times of the parcels' table."""
+        rows = series(self.case, folder)
+        return np.interp(self.time, rows[:, 0], rows[:, 1])
+
+    # values are those of each step; totals grow from step to step
+
+    def total(self, values):
+        """Integral over time."""
+        return np.cumsum(values * self.dt)
+
+    def rate_of(self, total, window=None):
+        """Mean rate at which a total grows in the window, and its standard
+        error."""
+        start, end = window or self.window
+
+        def blocks(n):
+            edges = np.linspace(start, end, n + 1)
+            return np.diff(np.interp(edges, self.time, total)) / np.diff(edges)
+
+        return blocks(1)[0], block_error(blocks)
+
+    def mean(self, values, window=None):
+        """Mean over the window, and its standard error."""
+        return self.rate_of(self.total(values), window)
+
+    def rates(self, total, step):
+        """Middles of equal steps of time, how fast a total grows in each."""
+        edges = np.arange(0, self.end + 1e-9, step)
+        return (edges[1:] - 0.5 * step,
+                np.diff(np.interp(edges, self.time, total)) / step)
+
+    def smooth(self, values, step):
+        """The same of the means of values."""
+        return self.rates(self.total(values), step)

@@ -33,7 +33,8 @@
 #     option[NAME]    the value of an option that has one
 #     ranks           the number of cores
 #     reached         the time from which the run goes on [s]
-#     deadline        when the shell's SECONDS are as many, a run is to pause
+#     deadline        when the shell's SECONDS are as many, a run is to pause:
+#                     set by the option hours=
 #     ran, paused     'yes' once a solver has run, has stopped at the deadline
 #------------------------------------------------------------------------------
 export PROJECT_DIR
@@ -59,6 +60,7 @@ choice=default
 # shellcheck disable=SC2034
 declare -A option=()
 ranks=$(($(nproc) < 2 ? 1 : 2))
+deadline=
 
 
 # readOptions NAME... -- ARGUMENT...: those with a value are given as 'NAME='.
@@ -101,6 +103,16 @@ readOptions()
     done
     [[ "$ranks" =~ ^[1-9][0-9]?$ ]] \
  || fail "-np needs a number of cores, 1 to 99"
+    [ -z "${option[hours]:-}" ] || setDeadline "${option[hours]}"
+}
+
+
+# That many hours from the start of the Allrun
+setDeadline()
+{
+    [[ "$1" =~ ^[0-9]*\.?[0-9]+$ ]] \
+ || fail "-hours needs a number of hours, such as 2.5"
+    deadline="$(awk -v h="$1" 'BEGIN { printf "%d", 3600*h }')"
 }
 
 
@@ -152,6 +164,20 @@ isLess()
 }
 
 
+# To the folder of a run of the tutorial itself, its own, with -quick a new one
+quickOrHere()
+{
+    if [ "$choice" = quick ]
+    then
+        freshCase quick
+        cd quick || exit
+    elif ! isLess 0 "$(latestTime)"
+    then
+        ./Allclean
+    fi
+}
+
+
 # Prepare the run in the current folder, unless it has begun. One that has goes
 # on with as many ranks as it was begun with, whatever is asked for now.
 beginOrContinue()
@@ -191,7 +217,6 @@ showProgress()
 
 
 solver=
-deadline=
 ran=
 # shellcheck disable=SC2034 # read by the Allruns
 paused=

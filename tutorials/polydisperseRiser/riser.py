@@ -11,18 +11,14 @@
 import sys
 from pathlib import Path
 
-# The project that this case, or the copy of it, lies in
-PROJECT = next(
-    (folder for folder in Path(__file__).resolve().parents
-     if (folder / "etc" / "openfoam").exists()),
-    None,
-)
+PROJECT = next((folder for folder in Path(__file__).resolve().parents
+                if (folder / "etc" / "openfoam").exists()), None)
 if PROJECT is None:
     sys.exit(f"{Path(__file__).parent} is not within a cghsFoam")
-
 sys.path.append(str(PROJECT / "tutorials" / "lib"))
+from gasColumn import GasColumn  # noqa: E402
 from tutorial import (  # noqa: E402
-    BLOCKS, block_error, column_names, np, number, of, seconds, series, vector,
+    BLOCKS, columns, mean_of, np, number, of, ratio_of, seconds,
 )
 
 CLASSES = 5    # of size, from the smallest to the largest
@@ -30,80 +26,30 @@ LEVELS = 15    # of height
 BLOCK = 0.8e-3  # [m]
 
 
-class Riser:
-    """A run. Lengths in m, pressures in Pa, times in s."""
+class Riser(GasColumn):
+    """A run."""
 
     def __init__(self, case):
-        self.case = Path(case)
-        self._read_inputs()
-        self._read_series()
+        super().__init__(case)
+        self.window = (self.average_from, self.end)
         self._read_parcels()
 
-    # Inputs, all from the case's own dictionaries
-
-    def _read_inputs(self):
-        constant, system = self.case / "constant", self.case / "system"
+    def read_inputs(self):
+        super().read_inputs()
+        constant = self.case / "constant"
         parcels = constant / "parcelsProperties"
-        self.density = number(parcels, "density")
         self.feed = number(parcels, "massFlowRate")
         self.feed_speed = number(parcels, "speed")
         self.smallest = number(constant / "sizes", "minValue")
         self.largest = number(constant / "sizes", "maxValue")
-        self.gas_density = number(constant / "transportProperties", "rho")
         self.gas_viscosity = self.gas_density * number(
             constant / "transportProperties", "nu")
-        gravity = vector((constant / "g").read_text(), r"\bvalue")
-        self.g = float(np.linalg.norm(gravity))
-
-        mesh = (system / "blockMeshDict").read_text()
-        self.cells = vector(mesh, r"hex\s*\([^()]*\)").astype(int)
-        self.size = number(system / "blockMeshDict", "scale") * self.cells
-        self.area = self.size[0] * self.size[2]
         self.volume = self.size.prod()
 
-        self.average_from = number(
-            system / "runOptions", "averageFrom",
-            number(system / "controlDict", "averageFrom"))
-
-    # Series in time
-
-    def _read_series(self):
-        self.parcels = self._table("parcels")
-        self.inventory = self._table("inventory")
-        self.time = self.parcels["time"]
-        self.end = float(self.time[-1])
-
-        rows = series(self.case, "inletPressure")
-        pressure = np.interp(self.time, rows[:, 0], rows[:, 1])
-        column = self.gas_density * self.g * self.size[1]
-        self.pressure_drop = self.gas_density * pressure - column
+    def read_series(self):
+        super().read_series()
+        self.inventory = columns(self.case, "inventory")
         self.weight = self.parcels["mass"] * self.g / self.area
-
-        rows = series(self.case, "inletFlow")
-        self.inflow = -np.interp(self.time, rows[:, 0], rows[:, 1]) / self.area
-        rows = series(self.case, "outletFlow")
-        self.outflow = np.interp(self.time, rows[:, 0], rows[:, 1]) / self.area
-
-    def _table(self, folder):
-        rows = series(self.case, folder)
-        return dict(zip(column_names(self.case, folder), rows.T))
-
-    def mean(self, values):
-        """Of a quantity of each step over the averaged time, and its standard
-        error."""
-        dt = np.diff(self.time, prepend=0)
-        total = np.cumsum(values * dt)
-
-        def blocks(n):
-            edges = np.linspace(self.average_from, self.end, n + 1)
-            return np.diff(np.interp(edges, self.time, total)) / np.diff(edges)
-
-        return blocks(1)[0], block_error(blocks)
-
-    def lifted_pressure(self):
-        """The part of the pressure drop that sets what is there in motion."""
-        momentum = np.diff(self.parcels["momentumY"], prepend=0)
-        return momentum / np.diff(self.time, prepend=0) / self.area
 
     def carried_pressure(self):
         """The part with which the solids leave faster than they are fed."""
@@ -113,10 +59,9 @@ class Riser:
     # The particles at the times that were written
 
     def _read_parcels(self):
-        times = [t for t in of.times(self.case) if float(t) > 0]
+        self.last = self.frames[-1]
         self.frames = [
-            t for t in times if float(t) > self.average_from + 1e-9]
-        self.last = times[-1]
+            t for t in self.frames if float(t) > self.average_from + 1e-9]
         self.averaged = len(self.frames) >= 2 * max(BLOCKS)
 
         edges = np.linspace(self.smallest, self.largest, CLASSES + 1)
@@ -162,34 +107,13 @@ class Riser:
 
     # Means over the frames, and their standard errors
 
-    def _ratio(self, above, below):
-        """<above>/<below>, with an error that knows how they vary together."""
-        ratio = above.mean(axis=0) / below.mean(axis=0)
-
-        def blocks(n):
-            rest = above - ratio * below
-            return np.array([
-                ratio + part.mean(axis=0) / below.mean(axis=0)
-                for part in np.array_split(rest, n)])
-
-        return ratio, block_error(blocks)
-
-    def over_frames(self, values):
-        values = np.asarray(values, float)
-
-        def blocks(n):
-            return np.array([part.mean(axis=0)
-                             for part in np.array_split(values, n)])
-
-        return values.mean(axis=0), block_error(blocks)
-
     def class_velocity(self):
         """Mean upward velocity of the particles of each class."""
-        return self._ratio(self.velocity, self.count)
+        return ratio_of(self.velocity, self.count)
 
     def class_flux(self):
         """Particles of each class that pass a height in a second."""
-        mean, error = self.over_frames(self.velocity)
+        mean, error = mean_of(self.velocity)
         return mean / self.size[1], error / self.size[1]
 
     # What is fed, as many of each size
@@ -234,19 +158,19 @@ class Riser:
 
     def mean_diameter(self):
         """By number, on each level."""
-        return self._ratio(self.first, self.many)
+        return ratio_of(self.first, self.many)
 
     def sauter_diameter(self):
-        return self._ratio(self.third, self.second)
+        return ratio_of(self.third, self.second)
 
     def fraction(self):
         """Solids volume fraction on each level."""
-        mean, error = self.over_frames(np.pi / 6 * self.third)
+        mean, error = mean_of(np.pi / 6 * self.third)
         volume = self.volume / LEVELS
         return mean / volume, error / volume
 
     def number_on_levels(self):
-        return self.over_frames(self.many)
+        return mean_of(self.many)
 
     # Balance
 

@@ -18,7 +18,7 @@ if PROJECT is None:
     sys.exit(f"{Path(__file__).parent} is not within a cghsFoam")
 sys.path.append(str(PROJECT / "tutorials" / "lib"))
 from tutorial import (  # noqa: E402
-    block_error, column_names, np, number, of, ranks, seconds, series, vector)
+    Run, columns, np, of, option, ranks, seconds)
 
 RADIUS, HEIGHT = 0.152, 16.8    # [m], as the script pipes has it
 AREA = np.pi*RADIUS**2
@@ -37,102 +37,51 @@ HEIGHTS = {"Lower": 6.23, "Upper": 8.88}
 PARTS = {"bottom": (0.4, 2.4), "middle": (5.0, 12.0), "top": (16.0, 16.8)}
 
 
-class Riser:
-    """A run. Lengths in m, pressures in Pa, masses in kg, times in s."""
+class Riser(Run):
+    """A run. Masses in kg."""
 
     def __init__(self, case):
-        self.case = Path(case)
+        super().__init__(case)
         self.name = self.case.resolve().name
         self._taps = {}
-        self._read_inputs()
-        self._read_series()
-        self._find_window()
+        if self.end - self.average_from > 1:
+            self.window = (self.average_from, self.end)
 
-    # Inputs
+    def read_inputs(self):
+        super().read_inputs()
 
-    def _input(self, file, name):
-        return number(self.case / "system" / "runOptions", name,
-                      number(self.case / file, name, np.nan))
+        def parcels(name):
+            return option(self.case, name, "constant/parcelsProperties")
 
-    def _read_inputs(self):
-        parcels = "constant/parcelsProperties"
-        self.weight = self._input(parcels, "parcelWeight")
-        self.diameter = self._input(parcels, "diameter")
-        self.density = self._input(parcels, "density")
-        self.rate = self._input(parcels, "massFlowRate")
-        self.average_from = self._input("system/controlDict", "averageFrom")
-        gravity = vector((self.case / "constant/g").read_text(), r"\bvalue")
-        self.g = float(np.linalg.norm(gravity))
-        molar_mass = self._input("constant/thermophysicalProperties",
-                                 "molWeight")
+        self.weight = parcels("parcelWeight")
+        self.diameter = parcels("diameter")
+        self.density = parcels("density")
+        self.rate = parcels("massFlowRate")
+        molar_mass = option(self.case, "molWeight",
+                            "constant/thermophysicalProperties")
         self.psi = molar_mass/(8314.47*TEMPERATURE)     # rho/p [s2/m2]
 
         # Of the box that the mesh is cut from: across and along the riser
         mesh = "system/blockMeshDict"
-        self.cell_size = (0.832/self._input(mesh, "nx"),
-                          17.12/self._input(mesh, "nz"))
+        self.cell_size = (0.832/option(self.case, "nx", mesh),
+                          17.12/option(self.case, "nz", mesh))
 
         self.parcel_diameter = self.diameter*self.weight**(1/3)
         self.parcel_mass = (
             np.pi/6*self.diameter**3*self.density*self.weight)
 
-    # Series in time
-
-    def _read_series(self):
-        rows = series(self.case, "parcels")
-        self.parcels = dict(zip(column_names(self.case, "parcels"), rows.T))
-        self.time = self.parcels["time"]
-        self.dt = np.diff(self.time, prepend=0)
-        self.end = float(self.time[-1])
-
+    def read_series(self):
+        super().read_series()
         self.mass = self.parcels["mass"]
         self.escaped = self.parcels["escapedMass"]
         self.fed = self.parcels["fedMass"]
-        self.inlet_pressure = self._at_steps("inletPressure")
-        self.outlet_pressure = self._at_steps("outletPressure")
+        self.inlet_pressure = self.at_steps("inletPressure")
+        self.outlet_pressure = self.at_steps("outletPressure")
         self.pressure_drop = self.inlet_pressure - self.outlet_pressure
-        self.gas_in = (-self._at_steps("inletFlow")
-                       - self._at_steps("sideInletFlow"))
-        self.gas_out = self._at_steps("outletFlow")
-        self.gas_mass = self._at_steps("gasMass")
-
-    def _at_steps(self, folder):
-        """A function object's value at the times of the parcels' table."""
-        rows = series(self.case, folder)
-        return np.interp(self.time, rows[:, 0], rows[:, 1])
-
-    def _find_window(self):
-        """From when on means are taken, if that has been reached."""
-        late = self.end - self.average_from > 1
-        self.window = (self.average_from, self.end) if late else None
-
-    # Means and their statistical errors
-
-    def integral(self, values, times):
-        """Integral over time from the start to each of times."""
-        return np.interp(times, self.time, np.cumsum(values*self.dt))
-
-    def mean(self, values):
-        """Mean over the window, and its standard error by block averages."""
-        def blocks(n):
-            edges = np.linspace(*self.window, n + 1)
-            return np.diff(self.integral(values, edges))/np.diff(edges)
-
-        return blocks(1)[0], float(block_error(blocks))
-
-    def rate_of(self, total):
-        """Mean and standard error of the rate at which a total grows."""
-        def blocks(n):
-            edges = np.linspace(*self.window, n + 1)
-            return np.diff(np.interp(edges, self.time, total))/np.diff(edges)
-
-        return blocks(1)[0], float(block_error(blocks))
-
-    def smooth_rate(self, total, step=0.5):
-        """Rate at which a total grows, over equal steps of time."""
-        edges = np.arange(0, self.end + 1e-9, step)
-        return (edges[1:] - 0.5*step,
-                np.diff(np.interp(edges, self.time, total))/step)
+        self.gas_in = (-self.at_steps("inletFlow")
+                       - self.at_steps("sideInletFlow"))
+        self.gas_out = self.at_steps("outletFlow")
+        self.gas_mass = self.at_steps("gasMass")
 
     def gas_defect(self):
         """What of the gas has come from nowhere, over what has entered: steps
@@ -151,9 +100,7 @@ class Riser:
             key=lambda path: float(path.parent.name))
         if not files:
             return None
-        lines = files[-1].read_text().splitlines()
-        head = [line for line in lines if line.lstrip().startswith("#")][-1]
-        return dict(zip(head.lstrip("# ").split(), of.table(files[-1]).T))
+        return of.columns(files[-1])
 
     def part_fraction(self, part):
         """Mean solids fraction of a part of the height, and standard error, as
@@ -177,8 +124,7 @@ class Riser:
         """The columns of the taps' table by their names. There is none before
         means begin."""
         if not self._taps:
-            self._taps = dict(zip(column_names(self.case, "taps"),
-                                  series(self.case, "taps").T))
+            self._taps = columns(self.case, "taps")
         return self._taps
 
     def tap_series(self, pair):
@@ -210,7 +156,7 @@ class Riser:
     # Mean fields of the last time written
 
     def last(self):
-        return [t for t in of.times(self.case) if float(t) > 0][-1]
+        return self.frames[-1]
 
     def field(self, name):
         return np.asarray(of.field(self.case, self.last(), name))

@@ -7,6 +7,8 @@
 #include "mathematicalConstants.H"
 #include "error.H"
 
+#include <cmath>
+
 Foam::cghs::arena::arena
 (
     const bool spinning,
@@ -95,7 +97,29 @@ Foam::scalar Foam::cghs::arena::displaced(const label i) const
 
 Foam::scalar Foam::cghs::arena::density(const label i) const
 {
-    return 1/(motions[i].invMass*volume(i));
+    const scalar invMass = motions[i].invMass;
+    const scalar V = volume(i);
+    const scalar rho = 1/(invMass*V);
+
+    // Rounded twice, this may be some digits away from one that gives the mass
+    constexpr label nDigits = 4;
+    scalar below = rho;
+    scalar above = rho;
+
+    for (label n = 0; n <= nDigits; ++n)
+    {
+        for (const scalar candidate : {below, above})
+        {
+            if (1/(candidate*V) == invMass)
+            {
+                return candidate;
+            }
+        }
+        below = std::nextafter(below, scalar(0));
+        above = std::nextafter(above, GREAT);
+    }
+
+    return rho;
 }
 
 

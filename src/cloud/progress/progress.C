@@ -31,10 +31,23 @@ Foam::cghs::progress::progress(const Time& time)
 :
     time_(time),
     start_(time.value()),
+    end_(GREAT),
     markTime_(time.value()),
     markClock_(time.elapsedClockTime()),
     speed_(0)
 {}
+
+
+bool Foam::cghs::progress::hasEnd()
+{
+    const scalar end = time_.endTime().value();
+    const bool known = end < 0.5*GREAT;
+
+    // The last step may end a little later
+    end_ = max(known ? end : end_, time_.value());
+
+    return known;
+}
 
 
 void Foam::cghs::progress::report(Ostream& os)
@@ -52,18 +65,27 @@ void Foam::cghs::progress::report(Ostream& os)
         markClock_ = clock;
     }
 
-    // The last step may end a little later
-    const scalar end = max(time_.endTime().value(), time_.value());
-    const scalar share =
-        (time_.value() - start_)/max(end - start_, VSMALL);
+    const bool known = hasEnd();
+    const label share
+    (
+        1000*(time_.value() - start_)/max(end_ - start_, VSMALL)
+    );
 
-    os  << "progress " << 0.1*label(1000*share) << " %";
+    os  << "progress " << share/10 << '.' << share % 10 << " %";
+
+    if (!known)
+    {
+        os  << ", stops with the next time written";
+    }
+    else if (speed_ > 0)
+    {
+        os  << ", " << clockString((end_ - time_.value())/speed_).c_str()
+            << " left";
+    }
 
     if (speed_ > 0)
     {
-        os  << ", " << clockString((end - time_.value())/speed_).c_str()
-            << " left, " << label(86400*speed_)
-            << " simulated s per day";
+        os  << ", " << label(86400*speed_) << " simulated s per day";
     }
 
     os  << endl;
