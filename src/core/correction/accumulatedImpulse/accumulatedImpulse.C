@@ -19,8 +19,10 @@ namespace cghs
 
 
     //- How fast a contact is believed to take up load from step to step: what
-    //  comes at once is a blow that will not come again
-    constexpr scalar growth = 1.2;
+    //  comes at once is a blow that will not come again. Less than this and
+    //  contacts of a dense flow, which live for some steps only, part before
+    //  they bear what they should: the flow is too slow
+    constexpr scalar growth = 3;
 
 
     static scalar sum(const scalar (&s)[laneCount])
