@@ -18,7 +18,7 @@ if PROJECT is None:
     sys.exit(f"{Path(__file__).parent} is not within a cghsFoam")
 sys.path.append(str(PROJECT / "tutorials" / "lib"))
 from tutorial import (  # noqa: E402
-    Run, columns, np, of, option, ranks, seconds)
+    Run, columns, np, number, of, option, ranks, seconds)
 
 RADIUS, HEIGHT = 0.152, 16.8    # [m], as the script pipes has it
 AREA = np.pi*RADIUS**2
@@ -164,6 +164,11 @@ class Riser(Run):
     def has_means(self):
         return self.window is not None and bool(
             list((self.case / self.last()).glob("solidsAverages:*")))
+
+    def due(self):
+        """Solids that were to be fed since the start [kg]."""
+        return number(self.case / self.last()
+                      / "uniform/lagrangian/parcels/flows", "due")
 
     def scatter(self):
         """Standard error of a cell's mean solids fraction over that mean, in
