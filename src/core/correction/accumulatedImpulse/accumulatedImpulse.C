@@ -130,6 +130,10 @@ void Foam::cghs::accumulatedImpulse::start
     kernel.speed = step.speed;
     kernel.overlapAllowed = overlapAllowed_;
 
+    // The second half of the step's forces comes after the impacts: what they
+    // left as resting is faster by half a step then
+    kernel.restingSpeed = (restingSteps_ + 1)*step.speed;
+
     run(kernel);
 }
 
@@ -163,19 +167,20 @@ Foam::scalar Foam::cghs::accumulatedImpulse::sweepVelocities
 (
     contactList& list,
     bodies& b,
-    const scalar rDeltaT,
+    const impactTable& coeffs,
+    const scalar deltaT,
     const bool rubs,
     const bool backwards
 ) const
 {
     if (rubs)
     {
-        pressAndHold<true> kernel(list, b, rDeltaT);
+        pressAndHold<true> kernel(list, b, coeffs, deltaT);
         run(kernel, backwards);
         return sum(kernel.work);
     }
 
-    pressAndHold<false> kernel(list, b, rDeltaT);
+    pressAndHold<false> kernel(list, b, coeffs, deltaT);
     run(kernel, backwards);
     return sum(kernel.work);
 }
@@ -196,7 +201,8 @@ Foam::scalar Foam::cghs::accumulatedImpulse::sweep
         (
             list,
             b,
-            1/step.deltaT,
+            coeffs,
+            step.deltaT,
             b.spinning() && rubsIn(sweepi),
             sweepi % 2
         );

@@ -14,6 +14,10 @@ namespace cghs
 {
     defineTypeNameAndDebug(velocityCorrection, 0);
     addToRunTimeSelectionTable(correctionModel, velocityCorrection, dictionary);
+
+    // See the header
+    constexpr scalar fresh = 4;
+    constexpr scalar resting = 3;
 }
 }
 
@@ -31,7 +35,7 @@ Foam::scalar Foam::cghs::velocityCorrection::sweep
     const label sweepi,
     contactList& list,
     bodies& b,
-    const impactTable&,
+    const impactTable& coeffs,
     const stepScales& step
 ) const
 {
@@ -50,6 +54,13 @@ Foam::scalar Foam::cghs::velocityCorrection::sweep
         const contact& c = contacts[backwards ? n - 1 - i : i];
         const scalar vn = partingSpeed(c, b);
         const scalar room = c.overlap*rDeltaT;
+
+        // What flies is due its impact, not a correction
+        if (vn < -max(fresh*room, resting*step.speed))
+        {
+            collide(c, b, coeffs[c.surface], step.deltaT);
+            continue;
+        }
 
         // Which pairs still approach is a toss of a coin that a branch would
         // guess wrong: a gain of zero is cheaper

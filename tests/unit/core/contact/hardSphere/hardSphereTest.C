@@ -164,6 +164,7 @@ TEST_CASE("The sweeps are one of impacts and those of the correction",
     // Two corrections: the first has something to do, the second adds nothing
     sampler random(53);
     twoBodies pair(randomPair(random));
+    pair.setNormalSpeed(-pair.touch().overlap/step.deltaT);
     const scalar vn = partingSpeed(pair);
     const scalar gain = 0.1*pair.touch().overlap/step.deltaT - vn;
     const scalar work =
@@ -187,7 +188,7 @@ TEST_CASE("Corrections run through the list there and back", "[contact]")
     for (label i = 0; i < 3; ++i)
     {
         row.spheres[i] = sphere(vector(i*1.9e-3, 0, 0), 1e-3);
-        row.motions[i] = motion(vector(1 - i, 0, 0), 1);
+        row.motions[i] = motion(vector(0.1*(1 - i), 0, 0), 1);
     }
     for (label i = 0; i < 2; ++i)
     {
@@ -242,6 +243,7 @@ TEST_CASE("Without friction no spins are touched, for there are none",
 
     sampler random(54);
     twoBodies pair(randomPair(random));
+    pair.setNormalSpeed(-pair.touch().overlap/step.deltaT);
     const scalar vn = partingSpeed(pair);
     pair.spins.clear();
     sweep(*model, 0, pair);

@@ -80,6 +80,24 @@ void sweep
 }
 
 
+//- One sweep of contacts that all remember the same
+void sweepWith
+(
+    const contactMemory& memory,
+    const correctionModel& model,
+    const label sweepi,
+    bodyScene& scene,
+    const scalar mu
+)
+{
+    bodies b(scene.view());
+    scene.memories.resize(scene.contacts.size());
+    scene.memories = memory;
+    model.begin(scene, b, coeffsOf(mu), stepOf(deltaT));
+    sweep(model, sweepi, scene, mu);
+}
+
+
 //- One sweep of contacts that remember nothing
 void sweepAfresh
 (
@@ -89,11 +107,22 @@ void sweepAfresh
     const scalar mu
 )
 {
-    bodies b(scene.view());
-    scene.memories.resize(scene.contacts.size());
-    scene.memories = contactMemory();
-    model.begin(scene, b, coeffsOf(mu), stepOf(deltaT));
-    sweep(model, sweepi, scene, mu);
+    sweepWith(contactMemory(), model, sweepi, scene, mu);
+}
+
+
+//- One sweep of contacts that bear next to nothing, but bear
+void sweepBearing
+(
+    const correctionModel& model,
+    const label sweepi,
+    bodyScene& scene,
+    const scalar mu
+)
+{
+    contactMemory memory;
+    memory.load = memory.held = SMALL*SMALL*scene.motions[0].mass();
+    sweepWith(memory, model, sweepi, scene, mu);
 }
 
 
@@ -188,8 +217,8 @@ TEST_CASE("No contact pulls, or rubs harder than friction lets it",
 }
 
 
-TEST_CASE("A single contact is brought to rest, with enough friction also "
-    "across", "[correction]")
+TEST_CASE("A single contact that bears load is brought to rest, with enough "
+    "friction also across", "[correction]")
 {
     claim stopped("accumulated.stopsApproach", 1e-14);
     claim held("accumulated.stopsSlip", 1e-13);
@@ -203,16 +232,48 @@ TEST_CASE("A single contact is brought to rest, with enough friction also "
 
         // Without friction no spin is stored
         twoBodies smooth(p);
-        sweepAfresh(*model, 0, smooth, 0);
+        sweepBearing(*model, 0, smooth, 0);
         const scalar vn = partingSpeed(smooth.touch(), smooth.view());
         stopped.see(mag(vn)/scale);
 
-        sweepAfresh(*model, model->nSweeps() - 2, p, GREAT);
+        sweepBearing(*model, model->nSweeps() - 2, p, GREAT);
         held.see(mag(p.contactVelocity())/scale);
     }
 
     stopped.settle();
     held.settle();
+}
+
+
+TEST_CASE("A blow that reaches a contact in a later sweep is an impact",
+    "[correction]")
+{
+    claim impact("accumulated.lateBlowIsImpact", 0);
+    claim forgotten("accumulated.lateBlowIsNoLoad", 0);
+    auto model = correctionModel::New(dictionaryOf(entries));
+    sampler random(107);
+
+    for (label i = 0; i < 2000; ++i)
+    {
+        twoBodies p(random.below(2) ? randomPair(random) : randomWall(random));
+        p.setNormalSpeed(-p.speedScale() - 4*stepOf(deltaT).speed);
+
+        twoBodies hit(p);
+        bodies b(hit.view());
+        const scalar mu = 0.5;
+        collide(hit.touch(), b, coeffsOf(mu)[hit.touch().surface], deltaT);
+
+        for (label sweepi = 0; sweepi < model->nSweeps() - 1; ++sweepi)
+        {
+            twoBodies late(p);
+            sweepAfresh(*model, sweepi, late, mu);
+            impact.count(late.movesLike(hit));
+            forgotten.see(late.memories[0].load);
+        }
+    }
+
+    impact.settle();
+    forgotten.settle();
 }
 
 

@@ -42,7 +42,9 @@ autoPtr<correctionModel> velocityCorrectionOf
 }
 
 
-const impactTable coeffs(contact::nSurfaces, impactCoeffs(0.9, 0.3, 0.1));
+//- Blows keep their energy, and turn nothing: what is seen is the correction
+const scalar e = 1;
+const impactTable coeffs(contact::nSurfaces, impactCoeffs(e, 0, 0));
 
 
 scalar sweep
@@ -135,8 +137,8 @@ TEST_CASE("The work that a correction reports is the energy it adds",
 }
 
 
-TEST_CASE("The push is the share of the overlap and that of the approach",
-    "[correction]")
+TEST_CASE("The push is the share of the overlap and that of the approach, unless "
+    "the pair has just met: then it is an impact", "[correction]")
 {
     claim law("correction.partingSpeed", 1e-14);
     claim room("correction.neverBeyondOverlap", 1e-14);
@@ -159,13 +161,17 @@ TEST_CASE("The push is the share of the overlap and that of the approach",
         const scalar after = partingSpeed(p.touch(), p.view());
 
         const scalar limit = p.touch().overlap/dt;
+        const bool blow = vn < -4*limit;
         const scalar scale = mag(before0) + mag(before1) + limit;
         const vector change
         (
             (p.motions[1].v - before1) - (p.motions[0].v - before0)
         );
-        law.see(mag(after - (ko*limit + (1 - kv)*vn))/scale);
-        room.see(max(after - limit, scalar(0))/scale);
+        law.see
+        (
+            mag(after - (blow ? -e*vn : ko*limit + (1 - kv)*vn))/scale
+        );
+        room.see(blow ? 0 : max(after - limit, scalar(0))/scale);
         line.see(mag(change - (change & p.touch().n)*p.touch().n)/scale);
     }
 
@@ -185,6 +191,7 @@ TEST_CASE("velocityShare 1 alone stops an approach, and no more",
     for (label i = 0; i < 2000; ++i)
     {
         twoBodies p(random.below(2) ? randomPair(random) : randomWall(random));
+        p.setNormalSpeed(-random.between(0, 4)*p.touch().overlap/deltaT);
         const scalar scale = p.speedScale();
         sweep(*model, 0, p, deltaT);
 
