@@ -133,6 +133,7 @@ void Foam::cghs::accumulatedImpulse::start
     // The second half of the step's forces comes after the impacts: what they
     // left as resting is faster by half a step then
     kernel.restingSpeed = (restingSteps_ + 1)*step.speed;
+    kernel.pressingRate = 0.25/step.deltaT;
 
     run(kernel);
 }

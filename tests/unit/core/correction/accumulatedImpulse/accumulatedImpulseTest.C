@@ -256,7 +256,11 @@ TEST_CASE("A blow that reaches a contact in a later sweep is an impact",
     for (label i = 0; i < 2000; ++i)
     {
         twoBodies p(random.below(2) ? randomPair(random) : randomWall(random));
-        p.setNormalSpeed(-p.speedScale() - 4*stepOf(deltaT).speed);
+        p.setNormalSpeed
+        (
+          - p.speedScale() - 4*stepOf(deltaT).speed
+          - p.touch().overlap/deltaT
+        );
 
         twoBodies hit(p);
         bodies b(hit.view());
