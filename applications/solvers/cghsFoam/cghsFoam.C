@@ -59,6 +59,8 @@ int main(int argc, char *argv[])
     stepReport report(parcels, runTime);
     progress pace(runTime);
 
+    bool parcelsBefore = true;
+
     Info<< nl << "Starting time loop" << nl << endl;
 
     while (runTime.run())
@@ -84,10 +86,11 @@ int main(int argc, char *argv[])
 
         parcels.exchange(deltaT);
 
-        // Where there are none, nothing is exchanged. Those that leave in this
-        // step still are in it, and the first sets right a voidage read.
-        const bool first = runTime.timeIndex() == runTime.startTimeIndex() + 1;
-        const bool suspended = withFluid && (first || !parcels.empty());
+        // Where there are none, nothing is exchanged. The step after they have
+        // gone, and the first, set the voidage right.
+        const bool present = !parcels.empty();
+        const bool suspended = withFluid && (present || parcelsBefore);
+        parcelsBefore = present;
 
         if (suspended)
         {

@@ -759,9 +759,10 @@ bool Foam::cghs::cghsCloud::writeObject
     const bool
 ) const
 {
-    writeParcels(mesh_, name(), parcels_, fmt, ver, cmp);
-
+    // A restart goes on from these, whatever writePrecision is
     const allDigits precise;
+
+    writeParcels(mesh_, name(), parcels_, fmt, ver, cmp);
     writeFlows(mesh_, name(), flows());
 
     return true;

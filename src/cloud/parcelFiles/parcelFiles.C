@@ -6,6 +6,14 @@
 #include "parcelFiles.H"
 #include "passiveParticleCloud.H"
 #include "IOField.H"
+#include "fileOperation.H"
+#include "PstreamReduceOps.H"
+#include "SubList.H"
+#include "Time.H"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
 
 namespace Foam
 {
@@ -59,18 +67,35 @@ static void forFields(const arena& parcels, const Use& use)
 }
 
 
+//- To be called on all ranks: with some file handlers they read together. Who
+//  has no parcels has no file, or an empty one
 template<class Type>
 static Field<Type> readField
 (
     const passiveParticleCloud& files,
-    const word& name,
-    const IOobject::readOption option = IOobject::MUST_READ
+    const word& name
 )
 {
-    const IOField<Type> field(files.fieldIOobject(name, option), files.size());
+    const IOField<Type> field
+    (
+        files.fieldIOobject(name, IOobject::MUST_READ),
+        files.size() > 0
+    );
 
     files.checkFieldIOobject(files, field);
     return field;
+}
+
+
+//- Is there such a field on a rank that has parcels? On all ranks the same
+template<class Type>
+static bool hasField(const passiveParticleCloud& files, const word& name)
+{
+    const bool there =
+        files.fieldIOobject(name, IOobject::MUST_READ)
+       .typeHeaderOk<IOField<Type>>(true);
+
+    return returnReduce(there && files.size() > 0, orOp<bool>());
 }
 
 
@@ -107,8 +132,14 @@ struct fieldRegistrar
 };
 
 
-//- Stop at a value that is below 1, or else not above zero
-static void checkSize
+static fileName pathOf(const passiveParticleCloud& files, const word& name)
+{
+    return files.fieldIOobject(name, IOobject::NO_READ).objectPath();
+}
+
+
+//- A field of numbers of which none is below 1, or else all are above zero
+static scalarField readSize
 (
     const passiveParticleCloud& files,
     const word& name,
@@ -119,52 +150,232 @@ static void checkSize
 
     forAll(values, i)
     {
-        if (!(atLeastOne ? values[i] >= 1 : values[i] > 0))
+        if (!((atLeastOne ? values[i] >= 1 : values[i] > 0) && values[i] < GREAT))
         {
             FatalErrorInFunction
                 << "Parcel " << i << " has " << name << ' ' << values[i]
-                << " in " << files.fieldIOobject
-                   (name, IOobject::NO_READ).objectPath()
-                << nl << "It must be "
+                << " in " << pathOf(files, name) << nl << "It must be "
                 << (atLeastOne ? "at least 1" : "greater than zero") << nl
                 << exit(FatalError);
         }
     }
+
+    return values;
 }
 
-//- Stop if the exact position of a parcel is not in or by the mesh cell that
-//  OpenFOAM's coordinates give. They need not agree closely: in warped cells
-//  decomposePar moves what it knows by coordinates alone
-static void checkPlace
+
+//- A field of vectors that are all finite
+static vectorField readVectors
 (
     const passiveParticleCloud& files,
-    const label i,
+    const word& name
+)
+{
+    const vectorField values(readField<vector>(files, name));
+
+    forAll(values, i)
+    {
+        if (!(cmptMax(cmptMag(values[i])) < GREAT))
+        {
+            FatalErrorInFunction
+                << "Parcel " << i << " has " << name << ' ' << values[i]
+                << " in " << pathOf(files, name) << nl
+                << "Restore the file, or restart from an earlier time" << nl
+                << exit(FatalError);
+        }
+    }
+
+    return values;
+}
+
+
+//- Is the exact position of a parcel in or by the mesh cell that OpenFOAM's
+//  coordinates give? They need not agree closely: in warped cells decomposePar
+//  moves what it knows by coordinates alone
+static bool agrees
+(
+    const polyMesh& mesh,
     const vector& x,
     const label celli,
     const scalar diameter
 )
 {
-    const polyMesh& mesh = files.pMesh();
+    if (celli < 0 || celli >= mesh.nCells())
+    {
+        return false;
+    }
+
     boundBox cell(mesh.points(), mesh.cellPoints()[celli], false);
     const vector margin(vector::uniform(diameter));
 
-    if (!boundBox(cell.min() - margin, cell.max() + margin).contains(x))
+    return boundBox(cell.min() - margin, cell.max() + margin).contains(x);
+}
+
+
+//- The cell of an exact position, or -1
+static label cellAt(const polyMesh& mesh, const vector& x, const label hint)
+{
+    const bool known = hint >= 0 && hint < mesh.nCells();
+
+    return known && mesh.pointInCell(x, hint) ? hint : mesh.findCell(x);
+}
+
+
+//- The cells of all parcels by their exact positions: the mesh is not the one
+//  that their coordinates were made for
+static void findCells
+(
+    const passiveParticleCloud& files,
+    const vectorField& x,
+    labelUList& cells
+)
+{
+    const polyMesh& mesh = files.pMesh();
+
+    forAll(x, i)
     {
-        FatalErrorInFunction
-            << "Parcel " << i << " is at " << x << " in "
-            << files.fieldIOobject
-               ("position", IOobject::NO_READ).objectPath()
-            << nl << "but in cell " << celli << " around "
-            << mesh.cellCentres()[celli] << " by its coordinates" << nl
-            << "Is it outside the mesh, or was one of the two files edited?"
-            << " Remove position to go by coordinates" << nl
-            << exit(FatalError);
+        cells[i] = cellAt(mesh, x[i], cells[i]);
+
+        if (cells[i] < 0)
+        {
+            FatalErrorInFunction
+                << "Parcel " << i << " is at " << x[i] << " in "
+                << pathOf(files, "position") << nl
+                << "but the mesh"
+                << (Pstream::parRun() ? " of this rank" : "")
+                << " has no cell there, and coordinates, which"
+                << " say what cell it is in, name another place" << nl
+                << "Was the mesh changed, or one of the two files edited?"
+                << " Decompose anew from a time that fits the mesh, or fill it"
+                << " anew with fillParcels" << nl
+                << exit(FatalError);
+        }
     }
 }
 
 
-//- Stop if there are fields of parcels, but nothing says where these are:
-//  OpenFOAM takes that for a cloud without parcels
+//- Cells by OpenFOAM's coordinates, unless exact positions disagree with any of
+//  them. Returns whether coordinates were right
+static bool checkCells
+(
+    const passiveParticleCloud& files,
+    const vectorField& x,
+    const arena& parcels,
+    labelUList& cells
+)
+{
+    label nMisplaced = 0;
+
+    forAll(x, i)
+    {
+        const scalar d = 2*parcels.spheres[i].r;
+
+        nMisplaced += !agrees(files.pMesh(), x[i], cells[i], d);
+    }
+    reduce(nMisplaced, sumOp<label>());
+
+    if (nMisplaced)
+    {
+        Info<< "Cloud " << files.name() << ": " << nMisplaced << " of "
+            << returnReduce(x.size(), sumOp<label>())
+            << " parcels are not in the cells that their coordinates name (has"
+            << " the mesh been renumbered?): cells are found anew from exact"
+            << " positions" << nl << endl;
+
+        findCells(files, x, cells);
+    }
+
+    return nMisplaced == 0;
+}
+
+
+//- How much positions that are written with few digits may be rounded by [m];
+//  0 if any has more than ten
+static scalar rounding(const vectorField& x)
+{
+    constexpr int mostDigits = 10;
+    scalar unit = 0;
+    int digits = 1;
+
+    for (const vector& xi : x)
+    {
+        for (const scalar c : xi)
+        {
+            char text[32];
+            for (; digits <= mostDigits; ++digits)
+            {
+                std::snprintf(text, sizeof(text), "%.*g", digits, c);
+                if (std::strtod(text, nullptr) == c)
+                {
+                    break;
+                }
+            }
+            if (digits > mostDigits)
+            {
+                return 0;
+            }
+            unit = max(unit, mag(c));
+        }
+    }
+
+    return unit > 0 ? 0.5*std::pow(10.0, floor(log10(unit)) + 1 - digits) : 0;
+}
+
+
+//- Tools of OpenFOAM that rewrite the files of a cloud, such as decomposePar,
+//  round positions to writePrecision. Where that matters coordinates, which are
+//  rounded to that share of a cell, are better
+static void replaceRounded
+(
+    const passiveParticleCloud& files,
+    const arena& parcels,
+    vectorField& x
+)
+{
+    const scalar rounded = returnReduce(rounding(x), maxOp<scalar>());
+
+    if (rounded == 0)
+    {
+        return;
+    }
+
+    label nReplaced = 0;
+    scalar largest = 0;
+    label i = 0;
+
+    for (const passiveParticle& p : files)
+    {
+        const vector place(p.position());
+        const scalar off = mag(place - x[i]);
+        const scalar d = 2*parcels.spheres[i].r;
+
+        if (off > 1e-3*d && off < 2*rounded)
+        {
+            largest = max(largest, off/d);
+            x[i] = place;
+            ++nReplaced;
+        }
+        ++i;
+    }
+    reduce(nReplaced, sumOp<label>());
+    reduce(largest, maxOp<scalar>());
+
+    if (nReplaced)
+    {
+        WarningInFunction
+            << "The positions of " << nReplaced << " parcels in "
+            << pathOf(files, "position") << " are rounded, by up to " << largest
+            << " diameters: those of their coordinates are taken, which are"
+            << " rounded less" << nl
+            << "    A tool such as decomposePar has written them with few digits:"
+            << " set writePrecision 17 in system/controlDict before it runs, or"
+            << " writeFormat binary" << nl << endl;
+    }
+}
+
+
+//- Stop if there are fields of parcels, but OpenFOAM has read no places for them:
+//  it takes that for a cloud without parcels
 static void checkPlaced(const passiveParticleCloud& files)
 {
     const fileName folder
@@ -172,20 +383,36 @@ static void checkPlaced(const passiveParticleCloud& files)
         files.time().timePath()/cloud::prefix/files.name()
     );
 
-    const auto has = [&](const char* name)
+    if
+    (
+        !isFile(folder/"d", true)
+     || IOField<scalar>(files.fieldIOobject("d", IOobject::MUST_READ)).empty()
+    )
     {
-        return isFile(folder/name, true);
-    };
-
-    if (has("d") && !has("coordinates") && !has("positions"))
-    {
-        FatalErrorInFunction
-            << folder << " has fields of parcels, but neither coordinates nor"
-            << " positions" << nl
-            << "Restore the file that is missing, make the parcels anew with"
-            << " fillParcels, or remove the folder to run without" << nl
-            << exit(FatalError);
+        return;
     }
+
+    const auto state = [&](const char* name)
+    {
+        return isFile(folder/name, true) ? " is there" : " is missing";
+    };
+    const fileName properties
+    (
+        files.time().timePath()/"uniform"/cloud::prefix/files.name()
+       /"cloudProperties"
+    );
+
+    FatalErrorInFunction
+        << folder << " has fields of parcels, but OpenFOAM reads no places for"
+        << " them" << nl
+        << "    coordinates" << state("coordinates") << ", positions"
+        << state("positions") << nl
+        << "    It reads coordinates if " << properties
+        << " says 'geometry coordinates;', else positions" << nl
+        << "Restore the file that is missing or empty, or make that entry name"
+        << " the one that is there; or make the parcels anew with fillParcels;"
+        << " or remove the folder to run without parcels" << nl
+        << exit(FatalError);
 }
 
 
@@ -221,11 +448,7 @@ static void readPresence(const passiveParticleCloud& files, arena& parcels)
     static_cast<UList<scalar>&>(parcels.presences) = 1;
     static_cast<UList<label>&>(parcels.exits) = -1;
 
-    if
-    (
-        files.fieldIOobject("presence", IOobject::MUST_READ)
-       .typeHeaderOk<IOField<scalar>>(true)
-    )
+    if (hasField<scalar>(files, "presence"))
     {
         const scalarField presences(readField<scalar>(files, "presence"));
         const labelField exits(readField<label>(files, "exitPatch"));
@@ -254,37 +477,30 @@ void Foam::cghs::readParcels
 
     parcels.append(n);
 
-    if (n == 0)
+    // Ranks that share a file cannot look into it alone
+    const bool ownFiles =
+        !Pstream::parRun() || fileHandler().type() == "uncollated";
+
+    if (n == 0 && ownFiles)
     {
         checkPlaced(files);
+    }
+    if (returnReduce(n, sumOp<label>()) == 0)
+    {
         return;
     }
 
-    checkSize(files, "d");
-    checkSize(files, "rho");
-    checkSize(files, "nParticle", true);
+    const scalarField d(readSize(files, "d"));
+    const scalarField rho(readSize(files, "rho"));
+    const scalarField weight(readSize(files, "nParticle", true));
+    const vectorField v(readVectors(files, "U"));
 
-    const vectorField v(readField<vector>(files, "U"));
-    const scalarField d(readField<scalar>(files, "d"));
-    const scalarField rho(readField<scalar>(files, "rho"));
-    const scalarField weight(readField<scalar>(files, "nParticle"));
-
-    const bool exact =
-        files.fieldIOobject("position", IOobject::MUST_READ)
-       .typeHeaderOk<IOField<vector>>(true);
+    const bool exact = hasField<vector>(files, "position");
     const bool spins =
-        parcels.spinning()
-     && files.fieldIOobject("omega", IOobject::MUST_READ)
-       .typeHeaderOk<IOField<vector>>(true);
+        parcels.spinning() && hasField<vector>(files, "omega");
 
-    const vectorField x
-    (
-        exact ? readField<vector>(files, "position") : vectorField()
-    );
-    const vectorField w
-    (
-        spins ? readField<vector>(files, "omega") : vectorField()
-    );
+    vectorField x(exact ? readVectors(files, "position") : vectorField());
+    const vectorField w(spins ? readVectors(files, "omega") : vectorField());
 
     if (parcels.fading())
     {
@@ -305,13 +521,6 @@ void Foam::cghs::readParcels
     for (const passiveParticle& p : files)
     {
         parcels.setSize(i, d[i], weight[i], rho[i]);
-
-        if (exact)
-        {
-            checkPlace(files, i, x[i], p.cell(), 2*parcels.spheres[i].r);
-        }
-
-        parcels.spheres[i].x = exact ? x[i] : p.position();
         parcels.motions[i].v = v[i];
         parcels.cells[i] = p.cell();
         parcels.ids[i] = p.origId();
@@ -321,6 +530,30 @@ void Foam::cghs::readParcels
             parcels.spins[i] = spins ? w[i] : Zero;
         }
         ++i;
+    }
+
+    if (exact)
+    {
+        SubList<label> cells(parcels.cells, n);
+
+        if (checkCells(files, x, parcels, cells))
+        {
+            replaceRounded(files, parcels, x);
+        }
+    }
+    else
+    {
+        x.setSize(n);
+        i = 0;
+        for (const passiveParticle& p : files)
+        {
+            x[i++] = p.position();
+        }
+    }
+
+    forAll(x, i)
+    {
+        parcels.spheres[i].x = x[i];
     }
 }
 

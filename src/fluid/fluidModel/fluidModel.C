@@ -10,6 +10,8 @@
 #include "constrainHbyA.H"
 #include "constrainPressure.H"
 #include "fixedFluxPressureFvPatchScalarField.H"
+#include "zeroGradientFvPatchFields.H"
+#include "basicSymmetryFvPatchField.H"
 #include "checkedEntry.H"
 #include "localIOdictionary.H"
 #include "profiling.H"
@@ -113,7 +115,10 @@ Foam::cghs::fluidModel::fluidModel
     alphaf_("alphaf", fvc::interpolate(alpha_))
 {
     checkPressure(pressure);
+    checkSolids(parcels);
+    balanceWalls();
     mesh_.setFluxRequired(p_.name());
+    gravity_.reset(new faceGravity(p_, g_));
 
     // An old value is only kept from now on if it is asked for now
     alpha_.oldTime();
@@ -152,6 +157,120 @@ void Foam::cghs::fluidModel::checkPressure(const dimensionSet& wanted) const
             << " takes p over the density, isothermalGas p" << nl
             << exit(FatalIOError);
     }
+}
+
+
+void Foam::cghs::fluidModel::checkSolids(const cghsCloud& parcels) const
+{
+    const scalar lowest = gMin(alpha_.primitiveField());
+
+    if (parcels.empty() && lowest < 1 - SMALL)
+    {
+        FatalIOErrorInFunction(fileOf(alpha_))
+            << "alpha goes down to " << lowest << ", so there have been solids,"
+            << " but the cloud " << parcels.name() << " has no parcels in "
+            << mesh_.time().timePath()/cloud::prefix/parcels.name() << nl
+            << "Restore that folder, or restart from a time that has it, or fill"
+            << " the mesh with fillParcels; or remove alpha to begin without"
+            << " solids" << nl
+            << exit(FatalIOError);
+    }
+}
+
+
+void Foam::cghs::fluidModel::balanceWalls()
+{
+    DynamicList<word> balanced;
+
+    forAll(mesh_.boundary(), patchi)
+    {
+        const fvPatch& patch = mesh_.boundary()[patchi];
+        const fvPatchVectorField& U = U_.boundaryField()[patchi];
+        const bool given =
+            (U.fixesValue() && !U.assignable())
+         || isA<basicSymmetryFvPatchField<vector>>(U);
+
+        if
+        (
+            given
+         && p_.boundaryField()[patchi].type()
+         == zeroGradientFvPatchScalarField::typeName
+        )
+        {
+            p_.boundaryFieldRef().set
+            (
+                patchi,
+                new fixedFluxPressureFvPatchScalarField
+                (
+                    patch,
+                    p_.internalField()
+                )
+            );
+            fvPatchScalarField& p = p_.boundaryFieldRef()[patchi];
+            p == p.patchInternalField();
+            balanced.append(patch.name());
+        }
+    }
+
+    if (balanced.size())
+    {
+        Info<< "p is zeroGradient at " << flatOutput(balanced)
+            << ", where U is given: it is taken as fixedFluxPressure, so that"
+            << " it balances weight and drag in the cells beside" << nl << endl;
+    }
+}
+
+
+bool Foam::cghs::fluidModel::pressureIsToFind() const
+{
+    return
+        mesh_.time().timeIndex() == 0
+     && gMax(p_.primitiveField()) == gMin(p_.primitiveField());
+}
+
+
+Foam::scalar Foam::cghs::fluidModel::meanPressure() const
+{
+    scalar sumP = 0;
+    scalar area = 0;
+
+    for (const fvPatchScalarField& p : p_.boundaryField())
+    {
+        if (p.fixesValue() && !p.coupled())
+        {
+            sumP += sum(p.patch().magSf()*p);
+            area += sum(p.patch().magSf());
+        }
+    }
+    reduce(sumP, sumOp<scalar>());
+    reduce(area, sumOp<scalar>());
+
+    return area > 0 ? sumP/area : gAverage(p_.primitiveField());
+}
+
+
+void Foam::cghs::fluidModel::startWith
+(
+    const scalarField& p,
+    const volScalarField& density
+)
+{
+    p_.primitiveFieldRef() = p;
+
+    for (fvPatchScalarField& pp : p_.boundaryFieldRef())
+    {
+        const label patchi = pp.patch().index();
+
+        if (faceGravity::balances(pp))
+        {
+            refCast<fixedFluxPressureFvPatchScalarField>(pp).updateSnGrad
+            (
+                density.boundaryField()[patchi]
+               *gravity_->potential().boundaryField()[patchi].snGrad()
+            );
+        }
+    }
+    p_.correctBoundaryConditions();
 }
 
 
@@ -246,13 +365,6 @@ Foam::tmp<Foam::surfaceScalarField> Foam::cghs::fluidModel::wholeFlux()
 }
 
 
-bool Foam::cghs::fluidModel::pressureBalances(const label patchi) const
-{
-    return
-        isA<fixedFluxPressureFvPatchScalarField>(p_.boundaryField()[patchi]);
-}
-
-
 template<class Velocity>
 void Foam::cghs::fluidModel::setBalancedFlux
 (
@@ -277,24 +389,7 @@ void Foam::cghs::fluidModel::setBalancedFlux
 Foam::tmp<Foam::surfaceScalarField>
 Foam::cghs::fluidModel::gravityFlux(const surfaceScalarField& rAUf) const
 {
-    tmp<surfaceScalarField> tflux(contentf()*rAUf*(g_ & mesh_.Sf()));
-    surfaceScalarField::Boundary& flux = tflux.ref().boundaryFieldRef();
-
-    // Where the velocity is given no force changes it, unless the pressure
-    // gradient there is free to balance it
-    forAll(flux, patchi)
-    {
-        if
-        (
-            U_.boundaryField()[patchi].fixesValue()
-        && !pressureBalances(patchi)
-        )
-        {
-            flux[patchi] = 0;
-        }
-    }
-
-    return tflux;
+    return contentf()*rAUf*gravity_->inFluxes();
 }
 
 
@@ -430,7 +525,7 @@ void Foam::cghs::fluidModel::solve(fvVectorMatrix& UEqn)
          ==
             reconstruct_
             (
-                gravity/rAUf - alphaf_*faceGradP()
+                contentf()*gravity_->inGradients() - alphaf_*faceGradP()
             )
         );
     }
@@ -501,7 +596,15 @@ Foam::scalar Foam::cghs::fluidModel::totalSource() const
 
 Foam::tmp<Foam::volVectorField> Foam::cghs::fluidModel::gradPNow() const
 {
-    return momentumDensity()*reconstruct_(faceGradP());
+    // That of a fluid at rest is known without any scheme
+    const surfaceScalarField rhof(contentf()/alphaf_);
+
+    return
+        momentumDensity()
+       *(
+            relativeDensity()*g_
+          + reconstruct_(faceGradP() - rhof*gravity_->inGradients())
+        );
 }
 
 

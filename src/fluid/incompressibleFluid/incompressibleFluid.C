@@ -60,8 +60,32 @@ Foam::cghs::incompressibleFluid::incompressibleFluid
 {
     setRefCell(p_, pisoDict(), pRefCell_, pRefValue_);
 
+    if (pressureIsToFind())
+    {
+        startAtRest();
+    }
+
     turbulence_ =
         turbulenceModel::New(alpha_, U_, alphaPhi_, phi_, transport_);
+}
+
+
+void Foam::cghs::incompressibleFluid::startAtRest()
+{
+    const scalarField& h = gravity_->potential().primitiveField();
+    scalar at0 = meanPressure();
+
+    if (p_.needReference())
+    {
+        at0 =
+            pRefValue_
+          - returnReduce
+            (
+                pRefCell_ >= 0 ? h[pRefCell_] : -GREAT,
+                maxOp<scalar>()
+            );
+    }
+    startWith(at0 + h, relativeDensity()());
 }
 
 

@@ -137,6 +137,11 @@ Foam::cghs::isothermalGas::isothermalGas
 {
     checkAboveZero(p_, "p is the absolute pressure [Pa], e.g. 101325");
 
+    if (pressureIsToFind())
+    {
+        startAtRest();
+    }
+
     turbulence_ =
         turbulenceModel::New
         (
@@ -151,6 +156,28 @@ Foam::cghs::isothermalGas::isothermalGas
     p_.oldTime();
     rho_.oldTime();
     thermo_->psi().oldTime();
+}
+
+
+void Foam::cghs::isothermalGas::startAtRest()
+{
+    const scalarField& psi = thermo_->psi().primitiveField();
+    scalarField p
+    (
+        meanPressure()*exp(psi*gravity_->potential().primitiveField())
+    );
+
+    if (p_.needReference())
+    {
+        // A closed gas keeps its mass
+        const scalarField room(mesh().V()*alpha_.primitiveField()*psi);
+        p *= gSum(room*p_.primitiveField())/gSum(room*p);
+    }
+
+    startWith(p, rho_);
+    pressureSolved();
+    contentFlux() = contentf()*phi_;
+    mass_ = massNow();
 }
 
 
