@@ -241,10 +241,10 @@ static void findCells
             FatalErrorInFunction
                 << "Parcel " << i << " is at " << x[i] << " in "
                 << pathOf(files, "position") << nl
-                << "but the mesh"
+                << "but that is outside the mesh"
                 << (Pstream::parRun() ? " of this rank" : "")
-                << " has no cell there, and coordinates, which"
-                << " say what cell it is in, name another place" << nl
+                << ", and coordinates, which say what cell it is in, name another"
+                << " place" << nl
                 << "Was the mesh changed, or one of the two files edited?"
                 << " Decompose anew from a time that fits the mesh, or fill it"
                 << " anew with fillParcels" << nl

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "feeder.H"
+#include "integral.H"
 #include "checkedEntry.H"
 #include "meshNames.H"
 #include "Hasher.H"
@@ -262,7 +263,13 @@ Foam::label Foam::cghs::feeder::lineUp(const scalar time, const scalar deltaT)
 
     if (!recycling())
     {
-        dueNow = massFlowRate_->integrate(time - deltaT, time);
+        dueNow =
+            integral
+            (
+                [&](const scalar t) { return massFlowRate_->value(t); },
+                time - deltaT,
+                time
+            );
         checkRate(dueNow/deltaT);
         due_ += dueNow;
         drawWaiting();
