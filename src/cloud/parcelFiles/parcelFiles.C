@@ -345,7 +345,13 @@ static void replaceRounded
 
     for (const passiveParticle& p : files)
     {
-        const vector place(p.position());
+        // Rounded coordinates do not sum up to one, which counts as far away from
+        // the origin as the cell is
+        const vector place
+        (
+            p.position()
+          - (cmptSum(p.coordinates()) - 1)*files.pMesh().cellCentres()[p.cell()]
+        );
         const scalar off = mag(place - x[i]);
         const scalar d = 2*parcels.spheres[i].r;
 
