@@ -41,6 +41,11 @@ Usage
     the largest parcels are placed first. More solids than a random packing
     holds, or than fit between the walls, are a FatalIOError.
 
+    In a two-dimensional mesh (empty patches) all centres are in the middle plane,
+    and the thickness of the mesh plays no part in whether there is room. Volume
+    and solidsFraction are still those of spheres in the volume of the mesh, as
+    the fluid sees them.
+
 \*---------------------------------------------------------------------------*/
 
 #include "argList.H"
@@ -62,8 +67,54 @@ namespace Foam
 namespace cghs
 {
 
-//- No random packing of equal spheres is denser [-]
+//- No random packing of equal spheres is denser, and none of equal discs in a
+//  plane [-]
 constexpr scalar randomClosePacking = 0.64;
+constexpr scalar randomCloseDiscs = 0.84;
+
+
+//- The mesh as parcels fill it
+struct container
+{
+    const polyMesh& mesh;
+
+    //- Of a two-dimensional mesh [m], 0 of others
+    scalar thickness;
+
+    container(const polyMesh& m)
+    :
+        mesh(m),
+        thickness(0)
+    {
+        for (direction d = 0; d < 3; ++d)
+        {
+            if (transport::freedom(m)[d] == 0)
+            {
+                thickness = m.bounds().span()[d];
+            }
+        }
+    }
+
+    scalar densest() const
+    {
+        return thickness > 0 ? randomCloseDiscs : randomClosePacking;
+    }
+
+    //- What spheres of a volume and a radius take of a volume: of the plane in
+    //  two dimensions
+    scalar taken
+    (
+        const scalar volume,
+        const scalar radius,
+        const scalar room
+    ) const
+    {
+        const scalar fraction = volume/max(room, VSMALL);
+
+        return
+            thickness > 0 ? 0.75*fraction*thickness/radius : fraction;
+    }
+};
 
 
 //- What all parcels have in common
@@ -121,11 +172,12 @@ static boundBox boxOf(const dictionary& region)
 static void checkFraction
 (
     const dictionary& region,
+    const container& room,
     const scalar fraction,
     const label nParcels = -1
 )
 {
-    if (fraction > randomClosePacking)
+    if (fraction > room.densest())
     {
         FatalIOErrorInFunction(region)
             << "Region " << region.dictName() << " asks for ";
@@ -134,8 +186,9 @@ static void checkFraction
             FatalIOError << nParcels << " parcels, ";
         }
         FatalIOError
-            << "a solids fraction of " << fraction << nl
-            << "A random packing holds at most " << randomClosePacking << nl
+            << "a solids fraction of " << fraction
+            << (room.thickness > 0 ? " of the plane" : "") << nl
+            << "A random packing holds at most " << room.densest() << nl
             << "Ask for less or enlarge the region" << nl
             << exit(FatalIOError);
     }
@@ -146,6 +199,7 @@ static void checkFraction
 static DynamicList<scalar> draw
 (
     const dictionary& region,
+    const container& mesh,
     const scalar room,
     const constants& parcel,
     const particleSizes& sizes
@@ -181,7 +235,12 @@ static DynamicList<scalar> draw
       ? scalarInRange(region, "mass", 0, GREAT)/parcel.density
       : scalarInRange(region, "solidsFraction", 0, 1)*room;
 
-    checkFraction(region, solids/max(room, VSMALL));
+    checkFraction
+    (
+        region,
+        mesh,
+        mesh.taken(solids, parcel.radius(sizes.largest()), room)
+    );
 
     scalar missing = solids;
     while (missing > 0)
@@ -211,13 +270,15 @@ static void plan
     DynamicList<batch>& batches
 )
 {
+    const container whole(mesh);
     const scalar room = volumeOf(mesh, boxOf(region));
     const particleSizes sizes(region, parcel, random);
-    DynamicList<scalar> diameters(draw(region, room, parcel, sizes));
+    DynamicList<scalar> diameters(draw(region, whole, room, parcel, sizes));
 
     std::sort(diameters.begin(), diameters.end(), std::greater<scalar>());
 
     scalar solids = 0;
+    scalar taken = 0;
     for (const scalar d : diameters)
     {
         if (batches.empty() || batches.last().dict != &region
@@ -227,11 +288,12 @@ static void plan
         }
         batches.last().diameters.append(d);
         solids += parcel.volume(d);
+        taken += whole.taken(parcel.volume(d), parcel.radius(d), room);
     }
 
     const scalar fraction = solids/max(room, VSMALL);
 
-    checkFraction(region, fraction, diameters.size());
+    checkFraction(region, whole, taken, diameters.size());
 
     Info<< "Region " << name << ": " << diameters.size() << " parcels, "
         << solids*parcel.density << " kg, solids fraction " << fraction << endl;
@@ -273,6 +335,7 @@ static void place
 static void appendVelocities
 (
     const batch& b,
+    const vector& freedom,
     Random& random,
     DynamicList<vector>& velocities
 )
@@ -285,7 +348,11 @@ static void appendVelocities
         const vector r(random.sample01<vector>());
         velocities.append
         (
-            mean + cmptMultiply(spread, 2*r - vector::uniform(1))
+            cmptMultiply
+            (
+                freedom,
+                mean + cmptMultiply(spread, 2*r - vector::uniform(1))
+            )
         );
     }
 }
@@ -360,7 +427,13 @@ int main(int argc, char *argv[])
     for (const batch& b : batches)
     {
         place(b, parcel, spheres);
-        appendVelocities(b, spheres.random(), velocities);
+        appendVelocities
+        (
+            b,
+            cghs::transport::freedom(mesh),
+            spheres.random(),
+            velocities
+        );
         diameters.append(b.diameters);
     }
 

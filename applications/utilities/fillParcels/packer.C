@@ -6,6 +6,29 @@
 #include "packer.H"
 #include "transport.H"
 
+namespace Foam
+{
+namespace cghs
+{
+
+static FixedList<direction, 3> emptyLast(const vector& freedom)
+{
+    FixedList<direction, 3> axes({0, 1, 2});
+
+    for (direction d = 0; d < 2; ++d)
+    {
+        if (freedom[d] == 0)
+        {
+            std::swap(axes[d], axes[2]);
+        }
+    }
+    return axes;
+}
+
+}
+}
+
+
 Foam::cghs::packer::packer
 (
     const polyMesh& mesh,
@@ -13,6 +36,9 @@ Foam::cghs::packer::packer
     const label seed
 )
 :
+    freedom_(transport::freedom(mesh)),
+    axes_(emptyLast(freedom_)),
+    bounds_(mesh.bounds()),
     locator_(mesh),
     walls_(mesh, wallPatches, transport::periods(mesh)),
     random_(seed)
@@ -130,10 +156,19 @@ Foam::boundBox Foam::cghs::packer::centresIn
 (
     const boundBox& region,
     const scalar r
-)
+) const
 {
     const vector margin(vector::uniform(r*(1 + 1e-9)));
-    return boundBox(region.min() + margin, region.max() - margin);
+    boundBox centres(region.min() + margin, region.max() - margin);
+
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (freedom_[d] == 0)
+        {
+            centres.min()[d] = centres.max()[d] = bounds_.centre()[d];
+        }
+    }
+    return centres;
 }
 
 
@@ -184,7 +219,11 @@ Foam::List<Foam::vector> Foam::cghs::packer::freeSites
     // Layers of triangles, each over the hollows of the one before
     const vector step(a, a*sqrt(0.75), a*sqrt(2.0/3.0));
     const vector hollow(0.5*a, step.y()/3, 0);
-    const vector span(region.span());
+    vector span(Zero);
+    for (direction d = 0; d < 3; ++d)
+    {
+        span[d] = region.span()[axes_[d]];
+    }
 
     DynamicList<vector> sites;
     vector last(Zero);
@@ -219,7 +258,7 @@ Foam::List<Foam::vector> Foam::cghs::packer::freeSites
         vector x(region.min());
         for (direction d = 0; d < 3; ++d)
         {
-            x[d] +=
+            x[axes_[d]] +=
                 last[d] > 0 ? site[d]*(span[d]/last[d]) : 0.5*span[d];
         }
 
@@ -274,7 +313,12 @@ Foam::label Foam::cghs::packer::addOnLattice
         const sphere shaken
         (
             sites[i]
-          + play*(2*random_.sample01<vector>() - vector::uniform(1)),
+          + play
+           *cmptMultiply
+            (
+                freedom_,
+                2*random_.sample01<vector>() - vector::uniform(1)
+            ),
             radii[i]
         );
 

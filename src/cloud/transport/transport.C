@@ -119,6 +119,14 @@ Foam::List<Foam::labelPair> Foam::cghs::transport::wallPatches() const
 }
 
 
+Foam::vector Foam::cghs::transport::freedom(const polyMesh& mesh)
+{
+    const Vector<label>& d = mesh.solutionD();
+
+    return vector(d.x() > 0, d.y() > 0, d.z() > 0);
+}
+
+
 Foam::List<Foam::vector> Foam::cghs::transport::periods(const polyMesh& mesh)
 {
     DynamicList<vector> own;
@@ -544,8 +552,30 @@ Foam::cghs::transport::collectDepartures()
 
 // * * * * * * * * * * * * * * * * The motion  * * * * * * * * * * * * * * * //
 
+void Foam::cghs::transport::reportConstrained
+(
+    const label n,
+    const scalar furthest
+) const
+{
+    const label nAll = returnReduce(n, sumOp<label>());
+    const scalar most = returnReduce(furthest, maxOp<scalar>());
+
+    if (nAll)
+    {
+        WarningInFunction
+            << nAll << " parcels were out of the middle plane of the mesh, or"
+            << " moved out of it: they are brought into it, by up to " << most
+            << " diameters" << nl << endl;
+    }
+}
+
+
 void Foam::cghs::transport::constrain(arena& parcels) const
 {
+    const vector free(freedom(mesh_));
+    const vector across(vector::one - free);
+    const bool flat = across != vector::zero;
     bool wedge = false;
 
     for (const polyPatch& pp : mesh_.boundaryMesh())
@@ -553,9 +583,43 @@ void Foam::cghs::transport::constrain(arena& parcels) const
         wedge = wedge || isA<wedgePolyPatch>(pp);
     }
 
-    for (label i = 0; wedge && i < parcels.size(); ++i)
+    if (!flat && !returnReduce(wedge, orOp<bool>()))
     {
-        meshTools::constrainToMeshCentre(mesh_, parcels.spheres[i].x);
+        return;
+    }
+
+    label nMoved = 0;
+    scalar furthest = 0;
+
+    for (label i = 0; i < parcels.size(); ++i)
+    {
+        sphere& s = parcels.spheres[i];
+        const vector before(s.x);
+        meshTools::constrainToMeshCentre(mesh_, s.x);
+
+        const scalar moved = mag(s.x - before)/(2*s.r);
+        bool out = moved > 1e-6;
+
+        if (flat)
+        {
+            vector& v = parcels.motions[i].v;
+            out = out || cmptMultiply(v, across) != vector::zero;
+            v = cmptMultiply(v, free);
+
+            if (parcels.spinning())
+            {
+                vector& w = parcels.spins[i];
+                out = out || cmptMultiply(w, free) != vector::zero;
+                w = cmptMultiply(w, across);
+            }
+        }
+        nMoved += out;
+        furthest = max(furthest, moved);
+    }
+
+    if (flat)
+    {
+        reportConstrained(nMoved, furthest);
     }
 }
 
