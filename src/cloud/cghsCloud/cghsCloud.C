@@ -136,6 +136,7 @@ Foam::cghs::cghsCloud::cghsCloud
         transport::periods(mesh),
         g
     ),
+    wallMotion_(mesh),
     feeding_(properties_, parcels_.nMaterials(), mesh),
     suspended_(false)
 {
@@ -387,6 +388,14 @@ void Foam::cghs::cghsCloud::evolve(const scalar deltaT)
 
     log_ = stepLog();
     contacts_.resetLog();
+
+    if (contacts_.needed())
+    {
+        contacts_.moveWalls
+        (
+            wallMotion_.velocities(contacts_.wallPatches())
+        );
+    }
 
     if (suspension_.valid())
     {

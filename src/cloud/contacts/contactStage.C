@@ -101,7 +101,7 @@ void Foam::cghs::contactStage::rebuild(arena& parcels)
     walls_.find(parcels.spheres, parcels.size(), skin);
 
     const label formerWall = wallBody_;
-    wallBody_ = parcels.addGuests(1);
+    addWalls(parcels);
 
     if (remember_)
     {
@@ -118,6 +118,27 @@ void Foam::cghs::contactStage::rebuild(arena& parcels)
     resized_ = false;
     allowed_ = 0.5*skin;
     ++nBuilds_;
+}
+
+
+void Foam::cghs::contactStage::addWalls(arena& parcels)
+{
+    wallBody_ = parcels.addGuests(1 + walls_.nMoving());
+
+    for (label k = 0; k < walls_.nMoving(); ++k)
+    {
+        parcels.motions[wallBody_ + 1 + k].v = walls_.movingVelocity(k);
+    }
+}
+
+
+void Foam::cghs::contactStage::moveWalls(const UList<vectorField>& byPatch)
+{
+    if (walls_.setVelocities(byPatch))
+    {
+        // Who has a body of his own is found anew with the list of partners
+        travelled_ = GREAT;
+    }
 }
 
 

@@ -97,7 +97,8 @@ void Foam::cghs::memoryTransfer::sort
     {
         contact c = contacts.contacts[i];
         const contactMemory& memory = contacts.memories[i];
-        const bool atWall = c.b == formerWall;
+        // Bodies from there on are walls: those that move have one each
+        const bool atWall = c.b >= formerWall;
         const label a = now[c.a];
         const label b = atWall ? wallBody : now[c.b];
 

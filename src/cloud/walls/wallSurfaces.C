@@ -7,6 +7,7 @@
 #include "closestPoint.H"
 #include "periodicShifts.H"
 #include "Pstream.H"
+#include "PstreamReduceOps.H"
 #include "pointField.H"
 #include "SubField.H"
 
@@ -86,22 +87,24 @@ void Foam::cghs::wallSurfaces::appendCorners
 (
     const polyPatch& pp,
     const pointField& points,
-    DynamicList<point>& corners
+    DynamicList<point>& corners,
+    DynamicList<label>& faces
 )
 {
-    const auto add = [&](const point& a, const point& b, const point& c)
-    {
-        if (mag((b - a) ^ (c - a)) > VSMALL)
-        {
-            corners.append(a);
-            corners.append(b);
-            corners.append(c);
-        }
-    };
-
     forAll(pp, i)
     {
         const face& f = pp[i];
+
+        const auto add = [&](const point& a, const point& b, const point& c)
+        {
+            if (mag((b - a) ^ (c - a)) > VSMALL)
+            {
+                corners.append(a);
+                corners.append(b);
+                corners.append(c);
+                faces.append(i);
+            }
+        };
 
         // A fan about a corner, or, as it follows a warped face best, about the
         // centre
@@ -321,12 +324,14 @@ void Foam::cghs::wallSurfaces::forNear
 
 void Foam::cghs::wallSurfaces::appendNear
 (
-    const triangle& t,
+    const label ti,
     const sphere& s,
     const scalar reach,
     DynamicList<near>& found
-)
+) const
 {
+    const triangle& t = triangles_[ti];
+
     const scalar height = (t.a - s.x) & t.normal;
 
     // Out of reach of the plane, or behind a baffle
@@ -365,7 +370,10 @@ void Foam::cghs::wallSurfaces::appendNear
     const scalar least = nearness*s.r;
     found.append
     (
-        near{magSqr(d) < sqr(least) ? least*t.normal : d, interior, t.surface}
+        near
+        {
+            magSqr(d) < sqr(least) ? least*t.normal : d, interior, t.surface, ti
+        }
     );
 }
 
@@ -385,7 +393,7 @@ void Foam::cghs::wallSurfaces::findContacts
 
     for (label k = start_[i]; k < start_[i + 1]; ++k)
     {
-        appendNear(triangles_[candidates_[k]], s, reach, found);
+        appendNear(candidates_[k], s, reach, found);
     }
 
     std::sort
@@ -413,10 +421,10 @@ void Foam::cghs::wallSurfaces::findContacts
 
         if (!hidden)
         {
-            contacts.append
-            (
-                makeContact(i, wallBody, f.surface, i, f.d, s.r)
-            );
+            const label body =
+                moving_.empty() ? wallBody : wallBody + movingBody_[f.triangle];
+
+            contacts.append(makeContact(i, body, f.surface, i, f.d, s.r));
         }
     }
 }
@@ -453,6 +461,75 @@ void Foam::cghs::wallSurfaces::find
     }
 
     start_[nOwn] = candidates_.size();
+
+    findMoving();
+}
+
+
+void Foam::cghs::wallSurfaces::findMoving()
+{
+    for (const label ti : moving_)
+    {
+        movingBody_[ti] = 0;
+    }
+    moving_.clear();
+
+    if (velocities_.empty())
+    {
+        return;
+    }
+
+    movingBody_.resize(triangles_.size(), 0);
+
+    for (const label ti : candidates_)
+    {
+        if (!movingBody_[ti] && velocities_[faces_[ti]] != vector::zero)
+        {
+            moving_.append(ti);
+            movingBody_[ti] = moving_.size();
+        }
+    }
+}
+
+
+bool Foam::cghs::wallSurfaces::setVelocities
+(
+    const UList<vectorField>& byPatch
+)
+{
+    bool moves = false;
+    for (const vectorField& u : byPatch)
+    {
+        for (const vector& ui : u)
+        {
+            moves = moves || ui != vector::zero;
+        }
+    }
+
+    if (!returnReduce(moves, orOp<bool>()))
+    {
+        const bool stopped = velocities_.size();
+        velocities_.clear();
+        return stopped;
+    }
+
+    DynamicList<vector> all;
+    for (const vectorField& own : byPatch)
+    {
+        List<vectorField> ofRanks(Pstream::nProcs());
+        ofRanks[Pstream::myProcNo()] = own;
+        Pstream::gatherList(ofRanks);
+        Pstream::scatterList(ofRanks);
+
+        for (const vectorField& u : ofRanks)
+        {
+            all.append(u);
+        }
+    }
+
+    const bool changed = all.size() != velocities_.size() || all != velocities_;
+    velocities_ = all;
+    return changed;
 }
 
 
@@ -487,19 +564,37 @@ Foam::cghs::wallSurfaces::wallSurfaces
     List<vector> shifts(periodicShifts(periods, false));
     shifts.append(vector(Zero));
 
+    DynamicList<label> faces;
+    label firstFace = 0;
+
     for (const labelPair& patch : patches)
     {
+        const polyPatch& pp = mesh.boundaryMesh()[patch.first()];
         const auto surface = contact::surfaceType(patch.second());
         DynamicList<point> own;
-        appendCorners(mesh.boundaryMesh()[patch.first()], mesh.points(), own);
+        DynamicList<label> ownFaces;
+        appendCorners(pp, mesh.points(), own, ownFaces);
+        patches_.append(patch.first());
 
         List<pointField> all(Pstream::nProcs());
         all[Pstream::myProcNo()] = pointField(std::move(own));
         Pstream::gatherList(all);
         Pstream::scatterList(all);
 
-        for (const pointField& corners : all)
+        List<labelList> allFaces(Pstream::nProcs());
+        allFaces[Pstream::myProcNo()] = ownFaces;
+        Pstream::gatherList(allFaces);
+        Pstream::scatterList(allFaces);
+
+        labelList nFaces(Pstream::nProcs(), Zero);
+        nFaces[Pstream::myProcNo()] = pp.size();
+        Pstream::gatherList(nFaces);
+        Pstream::scatterList(nFaces);
+
+        forAll(all, rank)
         {
+            const pointField& corners = all[rank];
+
             for (label k = 0; k < corners.size(); k += 3)
             {
                 for (const vector& s : shifts)
@@ -517,13 +612,16 @@ Foam::cghs::wallSurfaces::wallSurfaces
                     )
                     {
                         kept.append(triangle(a, b, c, surface));
+                        faces.append(firstFace + allFaces[rank][k/3]);
                     }
                 }
             }
+            firstFace += nFaces[rank];
         }
     }
 
     triangles_.transfer(kept);
+    faces_.transfer(faces);
 }
 
 
@@ -539,5 +637,7 @@ std::size_t Foam::cghs::wallSurfaces::bytes() const
         }
     }
 
-    return triangles_.byteSize() + sizeof(label)*n;
+    return
+        triangles_.byteSize() + faces_.byteSize() + velocities_.byteSize()
+      + sizeof(label)*n;
 }
