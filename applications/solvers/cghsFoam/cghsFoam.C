@@ -117,7 +117,11 @@ int main(int argc, char *argv[])
                 parcels.yieldToVelocity(),
                 parcels.yieldToGradient()
             );
-            fluid->solve(parcels.drag(deltaT), parcels.dragResponse());
+            fluid->solve
+            (
+                parcels.drag(deltaT, fluid->U(), fluid->rho()),
+                parcels.dragResponse()
+            );
         }
         else if (withFluid)
         {

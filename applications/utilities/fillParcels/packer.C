@@ -72,7 +72,13 @@ Foam::cghs::packer::sizeGrid& Foam::cghs::packer::gridFor(const scalar r)
 }
 
 
-bool Foam::cghs::packer::freeOfOthers(const sphere& s) const
+bool Foam::cghs::packer::wallBetween(const vector& a, const vector& b)
+{
+    return walls_.findThin(mag(b - a)) && walls_.between(a, b);
+}
+
+
+bool Foam::cghs::packer::freeOfOthers(const sphere& s)
 {
     for (const sizeGrid& grid : grids_)
     {
@@ -97,7 +103,11 @@ bool Foam::cghs::packer::freeOfOthers(const sphere& s) const
                     {
                         const sphere& t = placed_[other];
 
-                        if (magSqr(t.x - s.x) < sqr(s.r + t.r))
+                        if
+                        (
+                            magSqr(t.x - s.x) < sqr(s.r + t.r)
+                         && !wallBetween(s.x, t.x)
+                        )
                         {
                             return false;
                         }

@@ -194,6 +194,10 @@ void Foam::cghs::cghsCloud::enterFluid()
                 1 - scalarInRange(solution(), "minVoidage", 0.01, 1)
             )
         );
+        if (mapping_->kernels())
+        {
+            cellDrag_.reset(new cellDrag(mesh_, mapping_()));
+        }
         loadCells(0);
     }
 }
@@ -455,7 +459,7 @@ void Foam::cghs::cghsCloud::meetFluid
 {
     addProfiling(mapping, "cghs::mapping");
 
-    const tmp<volVectorField> tu(smooth(U));
+    tmp<volVectorField> tu(smooth(U));
     const tmp<volVectorField> tgrad(smooth(gradP));
     List<carrier> fluid(mesh_.nCells());
 
@@ -473,6 +477,11 @@ void Foam::cghs::cghsCloud::meetFluid
 
     suspension_->meet(parcels_, std::move(fluid));
     suspended_ = true;
+
+    if (cellDrag_.valid())
+    {
+        metU_ = tu;
+    }
 }
 
 
@@ -529,7 +538,7 @@ void Foam::cghs::cghsCloud::completeStep
 
 template<class Type>
 Foam::tmp<Foam::GeometricField<Type, Foam::fvPatchField, Foam::volMesh>>
-Foam::cghs::cghsCloud::spreadDensity
+Foam::cghs::cghsCloud::density
 (
     const word& name,
     const Field<Type>& sums,
@@ -555,6 +564,21 @@ Foam::cghs::cghsCloud::spreadDensity
 
     result.ref().primitiveFieldRef() = sums/mesh_.V();
     result.ref().correctBoundaryConditions();
+
+    return result;
+}
+
+
+template<class Type>
+Foam::tmp<Foam::GeometricField<Type, Foam::fvPatchField, Foam::volMesh>>
+Foam::cghs::cghsCloud::spreadDensity
+(
+    const word& name,
+    const Field<Type>& sums,
+    const dimensionSet& dimensions
+) const
+{
+    auto result = density(name, sums, dimensions);
     mapping_->spread(result.ref());
 
     return result;
@@ -585,17 +609,47 @@ Foam::tmp<Foam::volScalarField> Foam::cghs::cghsCloud::noSolids() const
 
 Foam::tmp<Foam::volVectorField> Foam::cghs::cghsCloud::drag
 (
-    const scalar deltaT
+    const scalar deltaT,
+    const volVectorField& U,
+    const volScalarField& rho
 ) const
 {
     addProfiling(mapping, "cghs::mapping");
 
-    return spreadDensity
+    tmp<volVectorField> F
     (
-        "drag",
-        vectorField(suspension_->impulse()/deltaT),
-        dimForce/dimVolume
+        density
+        (
+            "drag",
+            vectorField(suspension_->impulse()/deltaT),
+            dimForce/dimVolume
+        )
     );
+
+    if (!cellDrag_.valid())
+    {
+        mapping_->spread(F.ref());
+        return F;
+    }
+
+    const scalarField& V = mesh_.V();
+    tmp<volScalarField> b
+    (
+        density
+        (
+            "cellDrag",
+            min
+            (
+                suspension_->drag(),
+                suspension_->response()
+              + V*rho.primitiveField()*(1 - theta_().primitiveField())/deltaT
+            )(),
+            dimDensity/dimTime
+        )
+    );
+    cellDrag_->spread(F.ref(), U, metU_(), b.ref());
+
+    return F;
 }
 
 

@@ -267,11 +267,18 @@ void Foam::cghs::contactStage::findContacts
 
     label slot = parcels.size();
 
+    // Parcels on two sides of a thin wall do not feel each other
+    const auto apart = [&](const label i, const label j)
+    {
+        return
+            walls_.anyThin() && walls_.between(i, spheres[i].x, spheres[j].x);
+    };
+
     search_.forOwnPairs
     (
         [&](const label i, const label j)
         {
-            if (near(spheres[i], spheres[j], horizon))
+            if (near(spheres[i], spheres[j], horizon) && !apart(i, j))
             {
                 appendPair(parcels, i, j, j, slot, deltaT, contacts_);
             }
@@ -284,7 +291,7 @@ void Foam::cghs::contactStage::findContacts
         const label i = pair.first();
         const label guest = pair.second();
 
-        if (near(spheres[i], spheres[guest], horizon))
+        if (near(spheres[i], spheres[guest], horizon) && !apart(i, guest))
         {
             appendPair
             (

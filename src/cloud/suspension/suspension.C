@@ -15,7 +15,7 @@ Foam::cghs::suspension::suspension
 )
 :
     g_(g),
-    drag_(dragModel::New(subModels)),
+    law_(dragModel::New(subModels)),
     kernels_(kernels),
     nCells_(nCells),
     volume_(nCells, Zero),
@@ -23,6 +23,7 @@ Foam::cghs::suspension::suspension
     response_(nCells, Zero),
     yieldToVelocity_(nCells, Zero),
     yieldToGradient_(nCells, Zero),
+    drag_(kernels ? nCells : 0, Zero),
     e_(blockSize_),
     u_(blockSize_),
     d_(blockSize_),
@@ -135,7 +136,7 @@ void Foam::cghs::suspension::findRates
     }
 
     SubList<scalar> D(D_, n);
-    drag_->coefficients(e_, u_, d_, rho_, mu_, D);
+    law_->coefficients(e_, u_, d_, rho_, mu_, D);
 
     for (label k = 0; k < n; ++k)
     {
@@ -276,6 +277,7 @@ void Foam::cghs::suspension::spreadLoads
     {
         cghs::load own(loadOf(parcels, i, fluidDeltaT));
         own.setVector(1, taken_[i]);
+        own.drag() = rates_[i]/parcels.motions[i].invMass;
 
         kernels_->visit
         (
@@ -299,6 +301,7 @@ void Foam::cghs::suspension::spreadLoads
         response_[celli] = sum.response();
         yieldToVelocity_[celli] = sum.yieldToVelocity();
         yieldToGradient_[celli] = sum.yieldToGradient();
+        drag_[celli] = sum.drag();
     }
 }
 
@@ -367,5 +370,5 @@ void Foam::cghs::suspension::complete
             );
     }
 
-    drag_->warnOutsideRange();
+    law_->warnOutsideRange();
 }

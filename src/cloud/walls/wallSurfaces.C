@@ -72,7 +72,8 @@ Foam::cghs::wallSurfaces::triangle::triangle
     a(a),
     b(b),
     c(c),
-    surface(surface)
+    surface(surface),
+    thin(false)
 {
     const vector area((b - a) ^ (c - a));
 
@@ -444,6 +445,7 @@ void Foam::cghs::wallSurfaces::find
     }
 
     widen(reach);
+    findThin(reach);
 
     start_.resize(nOwn + 1);
     candidates_.clear();
@@ -533,6 +535,94 @@ bool Foam::cghs::wallSurfaces::setVelocities
 }
 
 
+bool Foam::cghs::wallSurfaces::crosses
+(
+    const triangle& t,
+    const vector& a,
+    const vector& b
+)
+{
+    const scalar before = (t.a - a) & t.normal;
+    const scalar after = (t.a - b) & t.normal;
+
+    if (before < 0 || after >= 0)
+    {
+        return false;
+    }
+
+    const vector fromC(a + (before/(before - after))*(b - a) - t.c);
+    const scalar u = t.gradA & fromC;
+    const scalar v = t.gradB & fromC;
+
+    // No gap between triangles that share a side
+    constexpr scalar inside = -1e-6;
+    return u > inside && v > inside && 1 - u - v > inside;
+}
+
+
+bool Foam::cghs::wallSurfaces::findThin(const scalar thickness)
+{
+    if (thickness <= thinnest_)
+    {
+        return anyThin_;
+    }
+
+    // A little more, so that it is not asked for again
+    thinnest_ = 1.2*thickness;
+    widen(thinnest_);
+
+    for (triangle& t : triangles_)
+    {
+        const vector centre((t.a + t.b + t.c)/3);
+
+        forNear
+        (
+            centre,
+            thinnest_,
+            [&](const label ti)
+            {
+                const triangle& other = triangles_[ti];
+                const vector behind
+                (
+                    closestPoint(other.a, other.b, other.c, centre).point
+                  - centre
+                );
+
+                t.thin =
+                    t.thin
+                 || (
+                        (t.normal & other.normal) < -0.5
+                     && (behind & t.normal) > -nearness*thinnest_
+                    );
+            }
+        );
+        anyThin_ = anyThin_ || t.thin;
+    }
+
+    return anyThin_;
+}
+
+
+bool Foam::cghs::wallSurfaces::between(const vector& a, const vector& b)
+{
+    const scalar reach = mag(b - a);
+    widen(reach);
+
+    bool found = false;
+    forNear
+    (
+        a,
+        reach,
+        [&](const label ti)
+        {
+            const triangle& t = triangles_[ti];
+            found = found || (t.thin && (crosses(t, a, b) || crosses(t, b, a)));
+        }
+    );
+    return found;
+}
+
+
 bool Foam::cghs::wallSurfaces::touches(const sphere& s)
 {
     widen(s.r);
@@ -552,6 +642,8 @@ Foam::cghs::wallSurfaces::wallSurfaces
 )
 :
     reach_(-1),
+    thinnest_(-1),
+    anyThin_(false),
     start_(1, Zero)
 {
     // Every rank sees all faces and keeps those near its part of the mesh.

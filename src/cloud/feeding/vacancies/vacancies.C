@@ -74,7 +74,11 @@ Foam::labelField Foam::cghs::vacancies::owners
 
         for (label j = 0; owner[k] != taken && j < others.size(); ++j)
         {
-            if (overlaps(it.s, others[j]))
+            if
+            (
+                overlaps(it.s, others[j])
+             && !contacts_.wallBetween(it.s.x, others[j].x)
+            )
             {
                 owner[k] = taken;
             }
@@ -91,13 +95,17 @@ Foam::labelField Foam::cghs::vacancies::owners
 }
 
 
-bool Foam::cghs::vacancies::freeOfAccepted(const sphere& s) const
+bool Foam::cghs::vacancies::freeOfAccepted(const sphere& s)
 {
     for (const vector& shift : shifts_)
     {
         for (const sphere& other : accepted_)
         {
-            if (overlaps(sphere(s.x + shift, s.r), other))
+            if
+            (
+                overlaps(sphere(s.x + shift, s.r), other)
+             && !contacts_.wallBetween(s.x + shift, other.x)
+            )
             {
                 return false;
             }

@@ -4,10 +4,36 @@
 \*---------------------------------------------------------------------------*/
 
 #include "cellRings.H"
+#include "wallSurfaces.H"
+#include "transport.H"
+#include "emptyPolyPatch.H"
 #include "processorPolyPatch.H"
 #include "cyclicPolyPatch.H"
 #include "PstreamBuffers.H"
 #include "PstreamReduceOps.H"
+
+namespace Foam
+{
+namespace cghs
+{
+
+//- All patches that nothing passes on its way between cells
+static List<labelPair> surfacesOf(const polyMesh& mesh)
+{
+    DynamicList<labelPair> patches;
+
+    for (const polyPatch& pp : mesh.boundaryMesh())
+    {
+        if (!pp.coupled() && !isA<emptyPolyPatch>(pp))
+        {
+            patches.append(labelPair(pp.index(), contact::parcelWall));
+        }
+    }
+    return List<labelPair>(std::move(patches));
+}
+
+}
+}
 
 // * * * * * * * * * * * * * * * *  Sights  * * * * * * * * * * * * * * * * * //
 
@@ -294,7 +320,35 @@ Foam::labelList Foam::cghs::cellRings::imagesOf(const sights& seen)
 }
 
 
-void Foam::cghs::cellRings::makeRings(const Map<sights>& cellsOf)
+Foam::labelHashSet& Foam::cghs::cellRings::keepInSight
+(
+    wallSurfaces& walls,
+    const label celli,
+    labelHashSet& seen
+) const
+{
+    if (walls.anyThin())
+    {
+        const point& here = mesh_.cellCentres()[celli];
+
+        for (const label image : seen.toc())
+        {
+            if (image != celli && walls.between(here, centres_[image]))
+            {
+                seen.erase(image);
+            }
+        }
+    }
+
+    return seen;
+}
+
+
+void Foam::cghs::cellRings::makeRings
+(
+    const Map<sights>& cellsOf,
+    wallSurfaces& walls
+)
 {
     forAllConstIters(cellsOf, iter)
     {
@@ -313,13 +367,17 @@ void Foam::cghs::cellRings::makeRings(const Map<sights>& cellsOf)
             seen.insert(aboutPoint(pointi));
         }
 
-        ring_.append(seen.sortedToc());
+        ring_.append(keepInSight(walls, celli, seen).sortedToc());
         start_[celli + 1] = ring_.size();
     }
 }
 
 
-void Foam::cghs::cellRings::makeWideRings(const Map<sights>& ringsOf)
+void Foam::cghs::cellRings::makeWideRings
+(
+    const Map<sights>& ringsOf,
+    wallSurfaces& walls
+)
 {
     DynamicList<labelList> rings;
 
@@ -350,7 +408,7 @@ void Foam::cghs::cellRings::makeWideRings(const Map<sights>& ringsOf)
             }
 
             wide_[celli] = rings.size();
-            rings.append(seen.sortedToc());
+            rings.append(keepInSight(walls, celli, seen).sortedToc());
         }
     }
 
@@ -435,8 +493,11 @@ Foam::cghs::cellRings::cellRings(const polyMesh& mesh)
 
     const Map<sights> cellsOf(cellsOfPoints());
 
-    makeRings(cellsOf);
-    makeWideRings(ringsOfPoints(cellsOf));
+    wallSurfaces walls(mesh, surfacesOf(mesh), transport::periods(mesh));
+    walls.findThin(tolerance_);
+
+    makeRings(cellsOf, walls);
+    makeWideRings(ringsOfPoints(cellsOf), walls);
     connect();
 }
 

@@ -77,7 +77,8 @@ Foam::scalar Foam::cghs::faceDiffusion::limit() const
 }
 
 
-void Foam::cghs::faceDiffusion::setStep(const scalar time)
+template<class Step>
+void Foam::cghs::faceDiffusion::setConductance(const Step& stepOf)
 {
     const labelUList& owner = mesh_.owner();
     const labelUList& neighbour = mesh_.neighbour();
@@ -85,7 +86,7 @@ void Foam::cghs::faceDiffusion::setStep(const scalar time)
     forAll(owner, facei)
     {
         conductance_[facei] *=
-            min(time, min(limit_[owner[facei]], limit_[neighbour[facei]]));
+            stepOf(min(limit_[owner[facei]], limit_[neighbour[facei]]));
     }
 
     forAll(conductance_.boundaryField(), patchi)
@@ -95,13 +96,27 @@ void Foam::cghs::faceDiffusion::setStep(const scalar time)
         if (patch.coupled())
         {
             const fvPatchScalarField& l = limit_.boundaryField()[patchi];
+            const scalarField limits
+            (
+                min(l.patchInternalField(), l.patchNeighbourField())
+            );
 
-            patch *=
-                min
-                (
-                    time,
-                    min(l.patchInternalField(), l.patchNeighbourField())
-                );
+            forAll(limits, k)
+            {
+                patch[k] *= stepOf(limits[k]);
+            }
         }
     }
+}
+
+
+void Foam::cghs::faceDiffusion::setStep(const scalar time)
+{
+    setConductance([=](const scalar limit) { return min(time, limit); });
+}
+
+
+void Foam::cghs::faceDiffusion::setLocalStep(const scalar share)
+{
+    setConductance([=](const scalar limit) { return share*limit; });
 }
