@@ -8,11 +8,14 @@
 #include "parcelFiles.H"
 #include "flowState.H"
 #include "checkedEntry.H"
+#include "knownEntries.H"
 #include "profiling.H"
 #include "zeroGradientFvPatchFields.H"
 #include "PstreamReduceOps.H"
 #include "SubField.H"
 #include "Time.H"
+
+#include <functional>
 
 namespace Foam
 {
@@ -51,6 +54,102 @@ Foam::scalar Foam::cghs::cghsCloud::largestDiameter() const
     }
 
     return max(returnReduce(d, maxOp<scalar>()), feeding_.largestDiameter());
+}
+
+
+void Foam::cghs::cghsCloud::checkEntries() const
+{
+    warnUnknownEntries
+    (
+        properties_,
+        wordList
+        ({
+            "solution", "constantProperties", "subModels", "boundary", "feeding"
+        }),
+        true
+    );
+    warnUnknownEntries
+    (
+        solution(),
+        wordList
+        ({
+            "coupling", "fluid", "maxDisplacement", "maxDeltaT",
+            "neighbourSkin", "minVoidage"
+        })
+    );
+    warnUnknownEntries
+    (
+        properties_.subDict("constantProperties"),
+        wordList({"diameter", "density", "parcelWeight"})
+    );
+    warnUnknownEntries
+    (
+        subModels(),
+        wordList({"contactModel", "dragModel", "mappingModel"})
+    );
+}
+
+
+void Foam::cghs::cghsCloud::checkConstants() const
+{
+    const particleProperties stated(properties_);
+    const label n = parcels_.size();
+
+    const auto check = [&]
+    (
+        const char* name,
+        const scalar value,
+        const std::function<scalar(const label)>& of
+    )
+    {
+        scalar least = GREAT, most = -GREAT;
+        for (label i = 0; i < n; ++i)
+        {
+            least = min(least, of(i));
+            most = max(most, of(i));
+        }
+        reduce(least, minOp<scalar>());
+        reduce(most, maxOp<scalar>());
+
+        if
+        (
+            least <= most
+         && (value < least*(1 - 1e-6) || value > most*(1 + 1e-6))
+        )
+        {
+            WarningInFunction
+                << "Entry " << name << " in constantProperties of "
+                << properties_.name() << " is " << value
+                << ", but the parcels that are there have "
+                << string(most > least ? Foam::name(least) + " to " : "").c_str()
+                << most << nl << "    They keep their own. The entry is for new parcels"
+                << " (fillParcels, feeding); parcelWeight is also that which"
+                << " restitutionScaling takes" << nl << endl;
+        }
+    };
+
+    check
+    (
+        "parcelWeight",
+        stated.weight,
+        [&](const label i) { return parcels_.weights[i]; }
+    );
+    check
+    (
+        "density",
+        stated.density,
+        [&](const label i) { return parcels_.density(i); }
+    );
+
+    if (properties_.subDict("constantProperties").found("diameter"))
+    {
+        check
+        (
+            "diameter",
+            stated.diameter(),
+            [&](const label i) { return parcels_.diameters[i]; }
+        );
+    }
 }
 
 
@@ -140,6 +239,7 @@ Foam::cghs::cghsCloud::cghsCloud
     feeding_(properties_, parcels_.nMaterials(), mesh),
     suspended_(false)
 {
+    checkEntries();
     makeValves();
 
     if (feeding_.recycling())
@@ -161,6 +261,7 @@ Foam::cghs::cghsCloud::cghsCloud
     }
 
     readParcels(mesh, name, parcels_);
+    checkConstants();
     transport_.constrain(parcels_);
     setFlows(readFlows(mesh, name));
 

@@ -13,6 +13,7 @@
 #include "symmetryPlanePolyPatch.H"
 #include "wedgePolyPatch.H"
 #include "contact.H"
+#include "knownEntries.H"
 #include "meshTools.H"
 #include "PstreamBuffers.H"
 #include "globalMeshData.H"
@@ -32,8 +33,59 @@ Foam::cghs::transport::actionNames
 
 // * * * * * * * * * * * * * * * * The input * * * * * * * * * * * * * * * * //
 
+bool Foam::cghs::transport::isPlate
+(
+    const cyclicPolyPatch& patch,
+    const dictionary& dict
+)
+{
+    const entry* e = dict.findEntry(patch.name(), keyType::LITERAL);
+
+    if (!e)
+    {
+        return false;
+    }
+
+    if (e->isDict() || e->get<word>() != actionNames[action::rebound])
+    {
+        FatalIOErrorInFunction(dict)
+            << "The entry for the cyclic patch " << patch.name()
+            << " must be rebound" << nl
+            << "Parcels pass cyclic patches; rebound makes a plate of one that"
+            << " holds them, and lets the fluid pass. Without an entry they pass"
+            << nl << exit(FatalIOError);
+    }
+
+    scalar apart = 0;
+    if (patch.size())
+    {
+        apart =
+            mag(patch.faceCentres()[0] - patch.neighbPatch().faceCentres()[0])
+           /sqrt(mag(patch.faceAreas()[0]));
+    }
+
+    if (returnReduce(apart, maxOp<scalar>()) > 1e-3)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Patch " << patch.name() << " is to hold parcels, but its other"
+            << " side is elsewhere" << nl
+            << "Only a plate within the mesh, of a cyclic pair in one place as"
+            << " createBaffles makes it, can hold parcels and let the fluid pass;"
+            << " remove the entry to let parcels pass" << nl
+            << exit(FatalIOError);
+    }
+
+    return true;
+}
+
+
 void Foam::cghs::transport::readActions(const dictionary& dict)
 {
+    List<word> names(mesh_.boundaryMesh().names());
+    names.append(mesh_.boundaryMesh().groupPatchIDs().toc());
+    warnUnknownEntries(dict, names);
+
+
     const polyBoundaryMesh& patches = mesh_.boundaryMesh();
 
     forAll(patches, patchi)
@@ -44,7 +96,23 @@ void Foam::cghs::transport::readActions(const dictionary& dict)
         {
             actions_[patchi] = action::none;
         }
-        else if (isA<cyclicPolyPatch>(pp) || isA<processorPolyPatch>(pp))
+        else if (isA<processorCyclicPolyPatch>(pp))
+        {
+            // Parts of a periodic patch, which comes before them
+            actions_[patchi] =
+                actions_
+                [
+                    refCast<const processorCyclicPolyPatch>(pp).referPatchID()
+                ];
+        }
+        else if (isA<cyclicPolyPatch>(pp))
+        {
+            actions_[patchi] =
+                isPlate(refCast<const cyclicPolyPatch>(pp), dict)
+              ? action::rebound
+              : action::coupled;
+        }
+        else if (isA<processorPolyPatch>(pp))
         {
             actions_[patchi] = action::coupled;
         }

@@ -5,6 +5,7 @@
 
 #include "feeder.H"
 #include "integral.H"
+#include "knownEntries.H"
 #include "checkedEntry.H"
 #include "meshNames.H"
 #include "Hasher.H"
@@ -97,6 +98,15 @@ Foam::cghs::feeder::feeder
     fits_(false),
     warned_(false)
 {
+    warnUnknownEntries
+    (
+        dict,
+        wordList
+        ({
+            "feedPlace", "massFlowRate", "recycle", "shortage", "diameter",
+            "density", "parcelWeight", "sizeDistribution", "typeId", "seed"
+        })
+    );
     readSupply(mesh);
 }
 

@@ -5,6 +5,7 @@
 
 #include "patchPlace.H"
 #include "checkedEntry.H"
+#include "knownEntries.H"
 #include "meshNames.H"
 #include "meshTools.H"
 #include "triPointRef.H"
@@ -47,6 +48,8 @@ Foam::cghs::patchPlace::patchPlace
     ),
     areas_(triangles_.size())
 {
+    warnUnknownEntries(dict, wordList({"patch", "speed", "direction"}));
+
     scalar sum = 0;
     forAll(areas_, i)
     {

@@ -5,6 +5,7 @@
 
 #include "diffusion.H"
 #include "checkedEntry.H"
+#include "knownEntries.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -41,6 +42,8 @@ Foam::cghs::diffusion::diffusion
     nSteps_(0)
 {
     const scalar width = scalarInRange(dict, "width", 0, GREAT);
+
+    warnUnknownEntries(dict, wordList({"width"}));
 
     checkWidth(dict, width, parcelDiameter);
     setSteps(sqr(width*parcelDiameter)/4);

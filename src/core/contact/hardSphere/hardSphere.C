@@ -7,6 +7,7 @@
 #include "restitutionScaling.H"
 #include "surfaceTable.H"
 #include "frictionEntries.H"
+#include "knownEntries.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -18,6 +19,16 @@ namespace cghs
 
     static impactCoeffs readCoeffs(const dictionary& dict)
     {
+        warnUnknownEntries
+        (
+            dict,
+            wordList
+            ({
+                "restitutionCoefficient", "tangentialRestitutionCoefficient",
+                "frictionCoefficient", "rollingFrictionCoefficient"
+            })
+        );
+
         return impactCoeffs
         (
             scalarInRange(dict, "restitutionCoefficient", 0, 1),

@@ -5,6 +5,7 @@
 
 #include "accumulatedImpulse.H"
 #include "frictionEntries.H"
+#include "knownEntries.H"
 #include "impulseKernels.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -70,7 +71,13 @@ Foam::cghs::accumulatedImpulse::accumulatedImpulse(const dictionary& dict)
     overlapShare_(scalarInRange(dict, "overlapShare", 0, 1)),
     overlapAllowed_(scalarInRange(dict, "overlapAllowed", 0, 0.1)),
     restingSteps_(scalarInRange(dict, "restingSteps", 0, GREAT))
-{}
+{
+    warnUnknownEntries
+    (
+        dict,
+        wordList({"nSweeps", "overlapShare", "overlapAllowed", "restingSteps"})
+    );
+}
 
 
 void Foam::cghs::accumulatedImpulse::remember(contactList& list) const

@@ -6,6 +6,7 @@
 #include "velocityCorrection.H"
 #include "hardSphereImpulse.H"
 #include "checkedEntry.H"
+#include "knownEntries.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -27,7 +28,13 @@ Foam::cghs::velocityCorrection::velocityCorrection(const dictionary& dict)
     nSweeps_(labelFrom(dict, "nSweeps", 0)),
     overlapShare_(scalarInRange(dict, "overlapShare", 0, 1)),
     velocityShare_(scalarInRange(dict, "velocityShare", 0, 1))
-{}
+{
+    warnUnknownEntries
+    (
+        dict,
+        wordList({"nSweeps", "overlapShare", "velocityShare"})
+    );
+}
 
 
 Foam::scalar Foam::cghs::velocityCorrection::sweep
