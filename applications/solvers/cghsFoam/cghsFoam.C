@@ -12,6 +12,7 @@ Description
 
 Usage
     cghsFoam [-cloud name]
+    cghsFoam -postProcess [-latestTime] [-func name]
 
     The cloud is called parcels unless named, its properties are in
     constant/<name>Properties. With  coupling none;  there, no fluid is read
@@ -37,23 +38,21 @@ int main(int argc, char *argv[])
     );
     argList::addOption("cloud", "name", "name of the cloud, default parcels");
 
+    // With -postProcess: function objects on the times that are written
+    #define NO_CONTROL
+    #include "postProcess.H"
+
     #include "setRootCaseLists.H"
     #include "createTime.H"
     #include "createMesh.H"
     #include "createTimeControls.H"
-    #include "readGravitationalAcceleration.H"
 
 
-    // ---- The parcels ------------------------------------------------------
+    // ---- The parcels, and the fluid if there is one -----------------------
 
-    cghsCloud parcels(mesh, args.get<word>("cloud", "parcels"), g.value());
+    #include "createFields.H"
 
     const bool twoWay = parcels.coupling() == cghsCloud::couplingType::twoWay;
-
-
-    // ---- The fluid, if there is one ---------------------------------------
-
-    autoPtr<fluidModel> fluid(fluidModel::New(mesh, g, parcels));
     const bool withFluid = fluid.valid();
 
     stepReport report(parcels, runTime);

@@ -562,7 +562,8 @@ bool Foam::cghs::wallSurfaces::crosses
 
 bool Foam::cghs::wallSurfaces::findThin(const scalar thickness)
 {
-    if (thickness <= thinnest_)
+    // A rank without parcels has none to keep apart
+    if (thickness <= max(thinnest_, scalar(0)))
     {
         return anyThin_;
     }

@@ -114,6 +114,7 @@ Foam::cghs::fluidModel::fluidModel
     ),
     alphaf_("alphaf", fvc::interpolate(alpha_))
 {
+    checkTransient();
     checkPressure(pressure);
     checkSolids(parcels);
     balanceWalls();
@@ -155,6 +156,21 @@ void Foam::cghs::fluidModel::checkPressure(const dimensionSet& wanted) const
             << "Mend p, or choose another " << typeName
             << " in the solution of the cloud's properties: incompressible"
             << " takes p over the density, isothermalGas p" << nl
+            << exit(FatalIOError);
+    }
+}
+
+
+void Foam::cghs::fluidModel::checkTransient() const
+{
+    const fvSchemes& schemes = mesh_;
+
+    if (schemes.steady())
+    {
+        FatalIOErrorInFunction(schemes.subDict("ddtSchemes"))
+            << "Entry default is steadyState, but parcels move in time" << nl
+            << "Choose a scheme of transient flow: Euler, backward or"
+            << " CrankNicolson" << nl
             << exit(FatalIOError);
     }
 }

@@ -36,6 +36,7 @@ Foam::cghs::patchPlace::patchPlace
     feedPlace(dict),
     mesh_(mesh),
     speed_(positiveScalar(dict, "speed")),
+    direction_(dict.getOrDefault<vector>("direction", Zero)),
     triangles_
     (
         gatherTriangles
@@ -56,6 +57,8 @@ Foam::cghs::patchPlace::patchPlace
         areas_[i] = (sum += mag(triangles_[i].area()));
     }
 
+    checkDirection(dict);
+
     if (triangles_.empty())
     {
         FatalIOErrorInFunction(dict)
@@ -63,6 +66,40 @@ Foam::cghs::patchPlace::patchPlace
             << "Feed through one that has, or mend the mesh" << nl
             << exit(FatalIOError);
     }
+}
+
+void Foam::cghs::patchPlace::checkDirection(const dictionary& dict)
+{
+    if (!dict.found("direction"))
+    {
+        return;
+    }
+
+    const scalar size = mag(direction_);
+    bool inward = size > VSMALL;
+
+    for (const patchTriangle& t : triangles_)
+    {
+        inward = inward && (t.area() & direction_) < -0.05*size*mag(t.area());
+    }
+
+    if (!inward)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry direction is " << direction_ << ", which does not lead"
+            << " into the mesh at all faces of patch " << dict.get<word>("patch")
+            << nl << "Give a direction within 87 degrees of the inward normal, or"
+            << " none for that normal" << nl
+            << exit(FatalIOError);
+    }
+
+    direction_ /= size;
+}
+
+
+Foam::vector Foam::cghs::patchPlace::directionAt(const vector& inward) const
+{
+    return direction_ == vector::zero ? inward : direction_;
 }
 
 // * * * * * * * * * * * * * * * * * Public  * * * * * * * * * * * * * * * * //
@@ -88,11 +125,15 @@ Foam::cghs::feedPlace::entrance Foam::cghs::patchPlace::suggest
        .randomPoint(random)
     );
 
-    // A little deeper than touching, as that counts as a contact
-    const scalar depth =
-        (1 + 1e-6)*r + random.sample01<scalar>()*speed_*deltaT;
+    // A little deeper than touching, as that counts as a contact, and as far on
+    // its way as it may have come in the step
+    const vector v(speed_*directionAt(inward));
+    const point place
+    (
+        onPatch + (1 + 1e-6)*r*inward + random.sample01<scalar>()*deltaT*v
+    );
 
-    entrance e{onPatch + depth*inward, speed_*inward, t.cell};
+    entrance e{place, v, t.cell};
     meshTools::constrainToMeshCentre(mesh_, e.x);
 
     if (e.cell != -1 && !cells.enters(e.x, e.cell))
@@ -117,5 +158,13 @@ Foam::boundBox Foam::cghs::patchPlace::centres
 
 Foam::scalar Foam::cghs::patchPlace::largestRate(const scalar rho) const
 {
-    return randomFraction*rho*areas_.last()*speed_;
+    // The volume that is swept
+    scalar inflow = 0;
+    for (const patchTriangle& t : triangles_)
+    {
+        const vector area(t.area());
+        inflow -= area & directionAt(-area/mag(area));
+    }
+
+    return randomFraction*rho*inflow*speed_;
 }
