@@ -18,6 +18,7 @@ if PROJECT is None:
     sys.exit(f"{Path(__file__).parent} is not within a cghsFoam")
 sys.path.append(str(PROJECT / "tutorials" / "lib"))
 from fluidisedBed import FluidisedBed  # noqa: E402
+import windows  # noqa: E402
 from tutorial import BLOCKS, mean_of, np, of, stop  # noqa: E402
 
 HEIGHTS = (0.025, 0.055, 0.085)  # [m] at which the chapter shows the flux
@@ -98,6 +99,12 @@ class Bed(FluidisedBed):
         """Mean over the window and standard error of reduce(flux), where
         reduce makes an array of a flux [..., x, y, z, component]."""
         return mean_of(reduce(self.flux_frames()))
+
+    def window_of(self, reduce):
+        """How long the window is for reduce(flux), see windows.py."""
+        frames = np.asarray(reduce(self.flux_frames()))
+        start, end = self.window
+        return windows.judge(frames, (end - start) / len(frames))
 
     def at_height(self, height):
         """A reduction of a flux to its vertical component at a height, over

@@ -1,0 +1,114 @@
+# ------------------------------------------------------------------------------
+# cghsFoam: coarse-grained hard-sphere fluidised beds for OpenFOAM
+# Licence: GPL-3.0-or-later, see the file LICENSE
+#
+# Description
+#     Is a window of time long enough for means and their errors? And means over
+#     replicas, runs that differ by chance alone, beside means over time.
+#
+#     Samples at equal steps of time forget each other after the correlation time
+#
+#         tau = dt (1/2 + sum_k rho(k)),    rho the autocorrelation,
+#
+#     summed up to 5 tau (Sokal, 1997). A window T has T/(2 tau) independent
+#     samples, and the error of its mean is the standard deviation over the root of
+#     that. Of several series, such as a profile, rho is that of all together.
+#
+#     A slow change behind fast noise, such as a column of bubbles that moves from
+#     side to side, is missed by that sum. It shows in the means of a tenth or a sixth
+#     of the window each: where these are not independent of their neighbours, but alike,
+#     the window is shorter than what it should see.
+# ------------------------------------------------------------------------------
+"""How long a window must be, and means over replicas."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+LEAST = 20      # independent samples that a standard error needs
+BLOCKS = (10, 6)
+ALIKE = 0.3     # correlation of neighbouring blocks: independent ones have
+                # -0.1 +- 0.3 in one series, less scatter in a profile
+
+# Student's t for 68.3 % within +- t, by degrees of freedom; then 1
+T68 = (1.84, 1.32, 1.20, 1.14, 1.11, 1.09, 1.08, 1.07, 1.06, 1.05)
+
+
+@dataclass
+class Window:
+    """What a window can tell. Times in those of the step."""
+    length: float
+    correlation_time: float     # a lower bound, if it is not enough
+    independent: float          # samples
+    alike: float                # correlation of neighbouring blocks
+    enough: bool
+    needed: float               # length, at least
+
+    def __str__(self):
+        if self.enough:
+            return (f"{self.length:.3g} s, {self.independent:.0f} independent"
+                    f" samples (correlation time {self.correlation_time:.2g} s)")
+        return (f"window too short: {self.length:.3g} s, at least"
+                f" {self.needed:.3g} s needed ({LEAST} independent samples;"
+                f" correlation time {self.correlation_time:.2g} s or more)")
+
+
+def _as_series(values):
+    values = np.asarray(values, float)
+    values = values.reshape(len(values), -1)
+    return values - values.mean(axis=0)
+
+
+def autocorrelation(values):
+    """Of all series together, by lag in steps."""
+    x = _as_series(values)
+    n = len(x)
+    transform = np.fft.rfft(x, 2*n, axis=0)
+    power = (abs(transform)**2).sum(axis=1)
+    products = np.fft.irfft(power)[:n]
+    if products[0] <= 0:
+        return np.r_[1.0, np.zeros(n - 1)]
+    return products/products[0]
+
+
+def correlation_time(values, dt=1.0):
+    rho = autocorrelation(values)
+    tau = 0.5 + np.cumsum(rho[1:])
+    lags = np.arange(1, len(rho))
+    closed = np.nonzero(lags >= 5*tau)[0]
+    last = closed[0] if closed.size else len(tau) - 1
+    return max(float(tau[last]), 0.5)*dt
+
+
+def block_correlation(values, n):
+    """Of the means of neighbouring blocks, over all series together."""
+    blocks = np.array([part.mean(axis=0) for part in
+                       np.array_split(_as_series(values), n)])
+    whole = (blocks**2).sum()
+    return float((blocks[1:]*blocks[:-1]).sum()/whole) if whole > 0 else 0.0
+
+
+def judge(values, dt=1.0):
+    """Window of samples at equal steps dt, the first index being time."""
+    n = len(values)
+    length = n*dt
+    tau = correlation_time(values, dt)
+    alike = max(block_correlation(values, n) for n in BLOCKS)
+    if alike > ALIKE:
+        # Blocks that know each other: what they see lasts about one, or longer
+        tau = max(tau, length/max(BLOCKS)/2*(1 + alike)/(1 - min(alike, 0.9)))
+    independent = length/(2*tau)
+    enough = independent >= LEAST and alike <= ALIKE
+    return Window(length, tau, independent, alike, enough,
+                  max(2*tau*LEAST, 0 if enough else 1.5*length))
+
+
+def mean_of_replicas(values):
+    """Mean over runs that differ by chance alone, the first index, and its
+    error with 68 % confidence by Student's t."""
+    values = np.asarray(values, float)
+    n = len(values)
+    if n < 2:
+        raise ValueError("one replica alone has no error: run two or more")
+    t = T68[n - 2] if n - 2 < len(T68) else 1.0
+    return values.mean(axis=0), t*values.std(axis=0, ddof=1)/np.sqrt(n)
