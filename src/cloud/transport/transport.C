@@ -46,16 +46,6 @@ bool Foam::cghs::transport::isPlate
         return false;
     }
 
-    if (e->isDict() || e->get<word>() != actionNames[action::rebound])
-    {
-        FatalIOErrorInFunction(dict)
-            << "The entry for the cyclic patch " << patch.name()
-            << " must be rebound" << nl
-            << "Parcels pass cyclic patches; rebound makes a plate of one that"
-            << " holds them, and lets the fluid pass. Without an entry they pass"
-            << nl << exit(FatalIOError);
-    }
-
     scalar apart = 0;
     if (patch.size())
     {
@@ -66,13 +56,22 @@ bool Foam::cghs::transport::isPlate
 
     if (returnReduce(apart, maxOp<scalar>()) > 1e-3)
     {
+        WarningInFunction
+            << "The entry for patch " << patch.name() << " in " << dict.name()
+            << " has no effect: parcels pass periodic sides" << nl
+            << "    Only a plate within the mesh, of a cyclic pair in one place as"
+            << " createBaffles makes it, can hold parcels" << nl << endl;
+        return false;
+    }
+
+    if (e->isDict() || e->get<word>() != actionNames[action::rebound])
+    {
         FatalIOErrorInFunction(dict)
-            << "Patch " << patch.name() << " is to hold parcels, but its other"
-            << " side is elsewhere" << nl
-            << "Only a plate within the mesh, of a cyclic pair in one place as"
-            << " createBaffles makes it, can hold parcels and let the fluid pass;"
-            << " remove the entry to let parcels pass" << nl
-            << exit(FatalIOError);
+            << "The entry for the cyclic patch " << patch.name()
+            << " must be rebound" << nl
+            << "Parcels pass cyclic patches; rebound makes a plate of one that"
+            << " holds them, and lets the fluid pass. Without an entry they pass"
+            << nl << exit(FatalIOError);
     }
 
     return true;
