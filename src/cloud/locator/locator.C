@@ -85,6 +85,80 @@ Foam::label Foam::cghs::locator::exitFace
 }
 
 
+void Foam::cghs::locator::findConcave()
+{
+    // Warped faces are not meant, whose points are a little off their plane
+    constexpr scalar tolerance = 0.05;
+
+    for
+    (
+        label facei = mesh_.nInternalFaces();
+        facei < mesh_.nFaces();
+        ++facei
+    )
+    {
+        const label celli = mesh_.faceOwner()[facei];
+        const scalar size = cbrt(mesh_.cellVolumes()[celli]);
+
+        for (const label pointi : mesh_.cellPoints()[celli])
+        {
+            if (beyond(mesh_.points()[pointi], facei, celli) > tolerance*size)
+            {
+                concave_[celli] = true;
+            }
+        }
+    }
+}
+
+
+Foam::label Foam::cghs::locator::ifOutside
+(
+    const vector& x,
+    label& celli,
+    const label facei
+)
+{
+    if (mesh_.pointInCell(x, celli, polyMesh::CELL_TETS))
+    {
+        return -1;
+    }
+
+    // Through an inner face whose plane it is not beyond, or out through the
+    // one found. Whoever is not where tracking ends is out
+    label there = celli;
+    const label met = track(mesh_.cellCentres()[celli], x, there);
+
+    if (met == -1)
+    {
+        celli = there;
+        return -1;
+    }
+
+    // Rather on to the other side of a coupled face than back from a wall
+    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+    label coupled = -1;
+    scalar furthest = 0;
+
+    for (const label other : mesh_.cells()[celli])
+    {
+        const scalar distance =
+            mesh_.isInternalFace(other) ? 0 : beyond(x, other, celli);
+
+        if
+        (
+            distance > furthest
+         && patches[patches.whichPatch(other)].coupled()
+        )
+        {
+            furthest = distance;
+            coupled = other;
+        }
+    }
+
+    return coupled != -1 ? coupled : facei;
+}
+
+
 Foam::label Foam::cghs::locator::walk(const vector& x, label& celli)
 {
     constexpr label patience = 50;
@@ -96,9 +170,13 @@ Foam::label Foam::cghs::locator::walk(const vector& x, label& celli)
     {
         const label facei = exitFace(x, celli);
 
-        if (facei == -1 || !mesh_.isInternalFace(facei))
+        if (facei == -1)
         {
             return facei;
+        }
+        if (!mesh_.isInternalFace(facei))
+        {
+            return concave_[celli] ? ifOutside(x, celli, facei) : facei;
         }
 
         const label next =
@@ -149,9 +227,11 @@ Foam::cghs::locator::locator(const polyMesh& mesh)
 :
     mesh_(mesh),
     cores_(mesh.nCells()),
+    concave_(mesh.nCells(), false),
     nTracked_(0)
 {
     inscribe();
+    findConcave();
 
     // Built by all ranks together, as the tracking may be called by one alone
     mesh_.tetBasePtIs();
