@@ -272,13 +272,8 @@ void Foam::cghs::wallSurfaces::widen(const scalar reach)
 }
 
 
-template<class Visitor>
-void Foam::cghs::wallSurfaces::forNear
-(
-    const vector& x,
-    const scalar reach,
-    const Visitor& visit
-)
+const Foam::cghs::wallSurfaces::triangleGrid&
+Foam::cghs::wallSurfaces::gridOf(const scalar reach)
 {
     constexpr label maxGrids = 8;
 
@@ -297,7 +292,19 @@ void Foam::cghs::wallSurfaces::forNear
         );
     }
 
-    const triangleGrid& grid = grids_[level];
+    return grids_[level];
+}
+
+
+template<class Visitor>
+void Foam::cghs::wallSurfaces::forNear
+(
+    const vector& x,
+    const scalar reach,
+    const Visitor& visit
+)
+{
+    const triangleGrid& grid = gridOf(reach);
     const label c = grid.index(x);
 
     if (c == -1)
@@ -572,17 +579,25 @@ bool Foam::cghs::wallSurfaces::findThin(const scalar thickness)
     thinnest_ = 1.2*thickness;
     widen(thinnest_);
 
+    const triangleGrid& grid = gridOf(thinnest_);
+
     for (triangle& t : triangles_)
     {
         const vector centre((t.a + t.b + t.c)/3);
+        const label c = grid.index(centre);
 
-        forNear
+        for
         (
-            centre,
-            thinnest_,
-            [&](const label ti)
+            label k = c == -1 ? 0 : grid.start[c];
+            !t.thin && c != -1 && k < grid.start[c + 1];
+            ++k
+        )
+        {
+            // Most are of the same wall, and look the same way
+            const triangle& other = triangles_[grid.triangles[k]];
+
+            if ((t.normal & other.normal) < -0.5)
             {
-                const triangle& other = triangles_[ti];
                 const vector behind
                 (
                     closestPoint(other.a, other.b, other.c, centre).point
@@ -590,13 +605,10 @@ bool Foam::cghs::wallSurfaces::findThin(const scalar thickness)
                 );
 
                 t.thin =
-                    t.thin
-                 || (
-                        (t.normal & other.normal) < -0.5
-                     && (behind & t.normal) > -nearness*thinnest_
-                    );
+                    magSqr(behind) < sqr(thinnest_)
+                 && (behind & t.normal) > -nearness*thinnest_;
             }
-        );
+        }
         anyThin_ = anyThin_ || t.thin;
     }
 
