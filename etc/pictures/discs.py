@@ -33,6 +33,7 @@ import cghsTest as of
 
 HEIGHT = 8.5    # of the picture, in inches
 FAR = 0.55      # brightness of the furthest parcels
+MOST = 99.5     # per cent of the parcels, whose speeds the colours tell apart
 # From the middle of a disc to its edge: the lit part, in diameters, its shift
 # towards the light and its brightness
 LIGHT = ((1.0, 0.0, 0.62), (0.82, 0.05, 0.85), (0.56, 0.11, 1.0))
@@ -54,7 +55,7 @@ def bounds_of(case):
 
 
 def draw(axes, case, cloud, time, low, high, largest):
-    """One time; colours end at the largest speed."""
+    """One time; colours end at this speed."""
     x = of.positions(case, time, cloud)
     d = of.cloud_field(case, time, cloud, "dParcel")
     speed = np.linalg.norm(of.cloud_field(case, time, cloud, "U"), axis=1)
@@ -62,7 +63,7 @@ def draw(axes, case, cloud, time, low, high, largest):
     order = np.argsort(x[:, 2])
     x, d, speed = x[order], d[order], speed[order]
     depth = (high[2] - x[:, 2]) / max(high[2] - low[2], 1e-300)
-    colour = cm.viridis(speed / largest)[:, :3]
+    colour = cm.viridis(np.minimum(speed / largest, 1))[:, :3]
     colour *= (1 - (1 - FAR) * np.clip(depth, 0, 1))[:, None]
 
     # All discs of a parcel before those of a nearer one
@@ -95,9 +96,11 @@ def main():
     times = [min(names, key=lambda name: abs(float(name) - t)) for t in wanted]
 
     low, high = bounds_of(case)
-    largest = max(
-        np.linalg.norm(of.cloud_field(case, t, cloud, "U"), axis=1).max()
-        for t in times) or 1.0
+    # A few fast ones must not leave all others in the dark
+    speeds = np.concatenate([
+        np.linalg.norm(of.cloud_field(case, t, cloud, "U"), axis=1)
+        for t in times])
+    largest = np.percentile(speeds, MOST) or 1.0
 
     width = HEIGHT * (high - low)[0] / (high - low)[1]
     figure, row = pyplot.subplots(
@@ -109,7 +112,8 @@ def main():
     row[0][0].set_ylabel("height (m)")
     figure.colorbar(
         cm.ScalarMappable(colors.Normalize(0, largest), "viridis"),
-        ax=row[0], label="parcel velocity (m/s)", shrink=0.6)
+        ax=row[0], label="parcel velocity (m/s)", shrink=0.6,
+        extend="max" if speeds.max() > largest else "neither")
     figure.savefig(picture, dpi=110)
 
 
