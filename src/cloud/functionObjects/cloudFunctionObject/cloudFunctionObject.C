@@ -24,7 +24,8 @@ bool Foam::cghs::cloudFunctionObject::read(const dictionary& dict)
 
     dict.readEntry("cloud", cloudName_);
 
-    if (!mesh_.foundObject<cghsCloud>(cloudName_))
+    // cghsFoam -postProcess makes the cloud anew at each time, later than this
+    if (!postProcess && !mesh_.foundObject<cghsCloud>(cloudName_))
     {
         FatalIOErrorInFunction(dict)
             << "There is no cghsCloud called " << cloudName_ << nl
