@@ -9,6 +9,35 @@
 #include "PstreamReduceOps.H"
 #include "Time.H"
 
+namespace Foam
+{
+namespace cghs
+{
+
+//- What of a velocity is along the faces. What comes in through a patch that the
+//  mesh calls a wall moves nobody along
+static vectorField along(const fvPatchVectorField& U)
+{
+    // Rounding of what is across
+    constexpr scalar nothing = 1e-6;
+
+    const vectorField n(U.patch().nf());
+    vectorField u(U - n*(n & U));
+
+    forAll(u, i)
+    {
+        if (mag(u[i]) < nothing*mag(U[i]))
+        {
+            u[i] = Zero;
+        }
+    }
+    return u;
+}
+
+}
+}
+
+
 Foam::cghs::wallMotion::wallMotion(const fvMesh& mesh)
 :
     mesh_(mesh),
@@ -110,7 +139,7 @@ Foam::List<Foam::vectorField> Foam::cghs::wallMotion::velocities
          && !at.assignable()
         )
         {
-            byPatch[k] = at;
+            byPatch[k] = along(at);
         }
     }
 

@@ -575,9 +575,10 @@ bool Foam::cghs::wallSurfaces::findThin(const scalar thickness)
         return anyThin_;
     }
 
-    // A little more, so that it is not asked for again
-    thinnest_ = 1.2*thickness;
-    widen(thinnest_);
+    // A little more, so that it is not asked for again; no more than the grid
+    // serves anyway, as a wider one would make all look-ups dearer
+    widen(thickness);
+    thinnest_ = min(1.01*thickness, reach_);
 
     const triangleGrid& grid = gridOf(thinnest_);
 
