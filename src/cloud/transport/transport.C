@@ -46,6 +46,12 @@ bool Foam::cghs::transport::isPlate
         return false;
     }
 
+    // All of a period's faces may be between ranks: it is no plate
+    if (returnReduce(patch.size(), sumOp<label>()) == 0)
+    {
+        return false;
+    }
+
     scalar apart = 0;
     if (patch.size())
     {
