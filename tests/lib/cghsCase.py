@@ -199,11 +199,11 @@ class Case:
         self.set(startFrom="latestTime", endTime=until)
         self.solve(ranks)
 
-    def refused(self, *texts):
+    def refused(self, *texts, command=("cghsFoam",)):
         """The solver must refuse the case, with OpenFOAM's error: how many of
         the texts that one does not say, and one more if it is none."""
         done = subprocess.run(
-            ["cghsFoam"], cwd=self.folder, env=environment(self.folder),
+            command, cwd=self.folder, env=environment(self.folder),
             stdin=subprocess.DEVNULL, capture_output=True, text=True,
             check=False)
         said = done.stdout + done.stderr

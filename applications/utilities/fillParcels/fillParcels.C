@@ -54,6 +54,7 @@ Usage
 #include "packer.H"
 #include "transport.H"
 #include "parcelFiles.H"
+#include "flowState.H"
 #include "cloudProperties.H"
 #include "checkedEntry.H"
 #include "particleSizes.H"
@@ -461,6 +462,11 @@ int main(int argc, char *argv[])
         IOstream::currentVersion,
         runTime.writeCompression()
     );
+
+    // Whoever reads them can tell that all are there
+    dictionary flows(readFlows(mesh, cloudName));
+    flows.set("nParcels", parcels.size());
+    writeFlows(mesh, cloudName, flows);
 
     Info<< nl << "Wrote " << parcels.size() << " parcels to time "
         << runTime.timeName() << nl << "End" << nl << endl;

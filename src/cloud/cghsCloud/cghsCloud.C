@@ -6,6 +6,7 @@
 #include "cghsCloud.H"
 #include "cloudProperties.H"
 #include "parcelFiles.H"
+#include "memoryFiles.H"
 #include "flowState.H"
 #include "checkedEntry.H"
 #include "knownEntries.H"
@@ -261,9 +262,12 @@ Foam::cghs::cghsCloud::cghsCloud
     }
 
     readParcels(mesh, name, parcels_);
+    if (contacts_.remembers())
+    {
+        readMemories(*this, parcels_, contacts_);
+    }
     checkConstants();
     transport_.constrain(parcels_);
-    setFlows(readFlows(mesh, name));
 
     if (coupling_ != couplingType::none)
     {
@@ -272,6 +276,7 @@ Foam::cghs::cghsCloud::cghsCloud
 
     state_ = transport_.survey(parcels_);
     contacts_.expect(largestSpeed());
+    setFlows(readFlows(mesh, name));
 }
 
 
@@ -888,14 +893,39 @@ Foam::dictionary Foam::cghs::cghsCloud::flows() const
     }
 
     dictionary flows;
+    flows.add("nParcels", returnReduce(parcels_.size(), sumOp<label>()));
     flows.add("massEscaped", byPatch);
     feeding_.state(flows);
+    flows.add("diameterTime", state_.diameterTime);
+    flows.add("contacts", contacts_.state());
     return flows;
+}
+
+
+void Foam::cghs::cghsCloud::checkCount(const dictionary& flows) const
+{
+    const label found = returnReduce(parcels_.size(), sumOp<label>());
+    const label written = flows.getOrDefault<label>("nParcels", found);
+
+    if (found != written)
+    {
+        FatalIOErrorInFunction(flows)
+            << "Cloud " << name() << ": " << written << " parcels were written,"
+            << " but " << found << " are found" << nl
+            << "Is a folder " << mesh_.time().timeName()/cloud::prefix/name()
+            << " or a file in it missing, on one of the ranks? Restore it, or"
+            << " restart from an earlier time" << nl
+            << "If parcels were added or taken out on purpose remove the entry"
+            << " nParcels" << nl
+            << exit(FatalIOError);
+    }
 }
 
 
 void Foam::cghs::cghsCloud::setFlows(const dictionary& flows)
 {
+    checkCount(flows);
+
     const dictionary byPatch(flows.subOrEmptyDict("massEscaped"));
     scalarField escaped(mesh_.boundaryMesh().size(), Zero);
 
@@ -912,6 +942,8 @@ void Foam::cghs::cghsCloud::setFlows(const dictionary& flows)
 
     transport_.setMassEscaped(escaped);
     feeding_.setState(flows);
+    flows.readIfPresent("diameterTime", state_.diameterTime);
+    contacts_.setState(flows.subOrEmptyDict("contacts"));
 }
 
 
@@ -927,6 +959,10 @@ bool Foam::cghs::cghsCloud::writeObject
     const allDigits precise;
 
     writeParcels(mesh_, name(), parcels_, fmt, ver, cmp);
+    if (contacts_.remembers())
+    {
+        writeMemories(*this, parcels_, contacts_, ver, cmp);
+    }
     writeFlows(mesh_, name(), flows());
 
     return true;

@@ -396,6 +396,22 @@ void Foam::cghs::contactStage::correct(arena& parcels, const scalar deltaT)
 }
 
 
+Foam::dictionary Foam::cghs::contactStage::state() const
+{
+    dictionary state;
+    state.add("previousDeltaT", previousDeltaT_);
+    state.add("maxSpeed", maxSpeed_);
+    return state;
+}
+
+
+void Foam::cghs::contactStage::setState(const dictionary& state)
+{
+    state.readIfPresent("previousDeltaT", previousDeltaT_);
+    state.readIfPresent("maxSpeed", maxSpeed_);
+}
+
+
 void Foam::cghs::contactStage::resetLog()
 {
     maxOverlap_ = 0;

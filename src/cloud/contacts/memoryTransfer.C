@@ -22,8 +22,6 @@ void Foam::cghs::memoryTransfer::begin
     }
     formerIds_ = SubList<label>(parcels.ids, parcels.size());
 
-    orphans_.clear();
-
     const auto orphan = [&](const contact& c, const contactMemory& memory)
     {
         orphans_.append
@@ -356,5 +354,6 @@ void Foam::cghs::memoryTransfer::end
     {
         sortByIds();
         adoptGuests(parcels, search, ranks, own);
+        orphans_.clear();
     }
 }

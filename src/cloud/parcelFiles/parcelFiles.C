@@ -132,6 +132,13 @@ struct fieldRegistrar
 };
 
 
+//- Begin the report of an error in a file
+static OSstream& errorIn(const fileName& path)
+{
+    return FatalIOError("readParcels", __FILE__, __LINE__, path);
+}
+
+
 static fileName pathOf(const passiveParticleCloud& files, const word& name)
 {
     return files.fieldIOobject(name, IOobject::NO_READ).objectPath();
@@ -152,11 +159,11 @@ static scalarField readSize
     {
         if (!((atLeastOne ? values[i] >= 1 : values[i] > 0) && values[i] < GREAT))
         {
-            FatalErrorInFunction
+            errorIn(pathOf(files, name))
                 << "Parcel " << i << " has " << name << ' ' << values[i]
-                << " in " << pathOf(files, name) << nl << "It must be "
+                << nl << "It must be "
                 << (atLeastOne ? "at least 1" : "greater than zero") << nl
-                << exit(FatalError);
+                << exit(FatalIOError);
         }
     }
 
@@ -177,11 +184,10 @@ static vectorField readVectors
     {
         if (!(cmptMax(cmptMag(values[i])) < GREAT))
         {
-            FatalErrorInFunction
-                << "Parcel " << i << " has " << name << ' ' << values[i]
-                << " in " << pathOf(files, name) << nl
+            errorIn(pathOf(files, name))
+                << "Parcel " << i << " has " << name << ' ' << values[i] << nl
                 << "Restore the file, or restart from an earlier time" << nl
-                << exit(FatalError);
+                << exit(FatalIOError);
         }
     }
 
@@ -238,9 +244,8 @@ static void findCells
 
         if (cells[i] < 0)
         {
-            FatalErrorInFunction
-                << "Parcel " << i << " is at " << x[i] << " in "
-                << pathOf(files, "position") << nl
+            errorIn(pathOf(files, "position"))
+                << "Parcel " << i << " is at " << x[i] << nl
                 << "but that is outside the mesh"
                 << (Pstream::parRun() ? " of this rank" : "")
                 << ", and coordinates, which say what cell it is in, name another"
@@ -248,7 +253,7 @@ static void findCells
                 << "Was the mesh changed, or one of the two files edited?"
                 << " Decompose anew from a time that fits the mesh, or fill it"
                 << " anew with fillParcels" << nl
-                << exit(FatalError);
+                << exit(FatalIOError);
         }
     }
 }
@@ -408,7 +413,7 @@ static void checkPlaced(const passiveParticleCloud& files)
        /"cloudProperties"
     );
 
-    FatalErrorInFunction
+    errorIn(folder)
         << folder << " has fields of parcels, but OpenFOAM reads no places for"
         << " them" << nl
         << "    coordinates" << state("coordinates") << ", positions"
@@ -418,7 +423,7 @@ static void checkPlaced(const passiveParticleCloud& files)
         << "Restore the file that is missing or empty, or make that entry name"
         << " the one that is there; or make the parcels anew with fillParcels;"
         << " or remove the folder to run without parcels" << nl
-        << exit(FatalError);
+        << exit(FatalIOError);
 }
 
 
@@ -435,13 +440,11 @@ static labelField readMaterials
     {
         if (materials[i] < 0 || materials[i] >= nMaterials)
         {
-            FatalErrorInFunction
-                << "Parcel " << i << " has typeId " << materials[i] << " in "
-                << files.fieldIOobject
-                   ("typeId", IOobject::NO_READ).objectPath()
-                << nl << "It must be from 0 to " << nMaterials - 1
+            errorIn(pathOf(files, "typeId"))
+                << "Parcel " << i << " has typeId " << materials[i] << nl
+                << "It must be from 0 to " << nMaterials - 1
                 << ", the number in the contact model's list of materials" << nl
-                << exit(FatalError);
+                << exit(FatalIOError);
         }
     }
 

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "transport.H"
+#include "patchParts.H"
 #include "emptyPolyPatch.H"
 #include "cyclicPolyPatch.H"
 #include "processorPolyPatch.H"
@@ -37,7 +38,7 @@ bool Foam::cghs::transport::isPlate
 (
     const cyclicPolyPatch& patch,
     const dictionary& dict
-)
+) const
 {
     const entry* e = dict.findEntry(patch.name(), keyType::LITERAL);
 
@@ -46,21 +47,19 @@ bool Foam::cghs::transport::isPlate
         return false;
     }
 
-    // All of a period's faces may be between ranks: it is no plate
-    if (returnReduce(patch.size(), sumOp<label>()) == 0)
-    {
-        return false;
-    }
+    // All of its faces may be between ranks
+    bool apart = false;
 
-    scalar apart = 0;
-    if (patch.size())
+    for (const label parti : patchParts(mesh_, patch.index()))
     {
+        const polyPatch& part = mesh_.boundaryMesh()[parti];
+
         apart =
-            mag(patch.faceCentres()[0] - patch.neighbPatch().faceCentres()[0])
-           /sqrt(mag(patch.faceAreas()[0]));
+            apart
+         || (part.size() && refCast<const coupledPolyPatch>(part).separated());
     }
 
-    if (returnReduce(apart, maxOp<scalar>()) > 1e-3)
+    if (returnReduce(apart, orOp<bool>()))
     {
         WarningInFunction
             << "The entry for patch " << patch.name() << " in " << dict.name()
@@ -172,7 +171,8 @@ Foam::List<Foam::labelPair> Foam::cghs::transport::wallPatches() const
 {
     DynamicList<labelPair> patches;
 
-    forAll(actions_, patchi)
+    // Those between ranks are parts of these
+    for (label patchi = 0; patchi < mesh_.boundaryMesh().nNonProcessor(); ++patchi)
     {
         if
         (

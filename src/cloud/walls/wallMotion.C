@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "wallMotion.H"
+#include "patchParts.H"
 #include "wallPolyPatch.H"
 #include "localIOdictionary.H"
 #include "PstreamReduceOps.H"
@@ -123,7 +124,7 @@ Foam::List<Foam::vectorField> Foam::cghs::wallMotion::velocities
 
     forAll(patches, k)
     {
-        byPatch[k].resize(mesh_.boundaryMesh()[patches[k]].size(), Zero);
+        byPatch[k].resize(nFacesOf(mesh_, patches[k]), Zero);
 
         if (!U)
         {

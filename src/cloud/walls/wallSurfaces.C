@@ -5,6 +5,7 @@
 
 #include "wallSurfaces.H"
 #include "closestPoint.H"
+#include "patchParts.H"
 #include "periodicShifts.H"
 #include "Pstream.H"
 #include "PstreamReduceOps.H"
@@ -88,6 +89,7 @@ void Foam::cghs::wallSurfaces::appendCorners
 (
     const polyPatch& pp,
     const pointField& points,
+    const label firstFace,
     DynamicList<point>& corners,
     DynamicList<label>& faces
 )
@@ -103,7 +105,7 @@ void Foam::cghs::wallSurfaces::appendCorners
                 corners.append(a);
                 corners.append(b);
                 corners.append(c);
-                faces.append(i);
+                faces.append(firstFace + i);
             }
         };
 
@@ -675,12 +677,19 @@ Foam::cghs::wallSurfaces::wallSurfaces
 
     for (const labelPair& patch : patches)
     {
-        const polyPatch& pp = mesh.boundaryMesh()[patch.first()];
         const auto surface = contact::surfaceType(patch.second());
         DynamicList<point> own;
         DynamicList<label> ownFaces;
-        appendCorners(pp, mesh.points(), own, ownFaces);
+        label nOwnFaces = 0;
         patches_.append(patch.first());
+
+        for (const label parti : patchParts(mesh, patch.first()))
+        {
+            const polyPatch& pp = mesh.boundaryMesh()[parti];
+
+            appendCorners(pp, mesh.points(), nOwnFaces, own, ownFaces);
+            nOwnFaces += pp.size();
+        }
 
         List<pointField> all(Pstream::nProcs());
         all[Pstream::myProcNo()] = pointField(std::move(own));
@@ -693,7 +702,7 @@ Foam::cghs::wallSurfaces::wallSurfaces
         Pstream::scatterList(allFaces);
 
         labelList nFaces(Pstream::nProcs(), Zero);
-        nFaces[Pstream::myProcNo()] = pp.size();
+        nFaces[Pstream::myProcNo()] = nOwnFaces;
         Pstream::gatherList(nFaces);
         Pstream::scatterList(nFaces);
 
