@@ -45,6 +45,16 @@ namespace cghs
         const scalar parcelWeight
     )
     {
+        warnUnknownEntries
+        (
+            dict,
+            wordList
+            ({
+                "restitutionScaling", "correctionModel", "materials",
+                "parcelParcel", "parcelWall"
+            })
+        );
+
         const auto scaling = restitutionScaling::New(dict);
 
         return readSurfaces<impactCoeffs>

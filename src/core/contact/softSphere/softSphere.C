@@ -7,6 +7,7 @@
 #include "hardSphereImpulse.H"
 #include "surfaceTable.H"
 #include "frictionEntries.H"
+#include "knownEntries.H"
 #include "mathematicalConstants.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -92,6 +93,16 @@ Foam::cghs::softSphere::readTable
     const scalar parcelWeight
 )
 {
+    warnUnknownEntries
+    (
+        dict,
+        wordList
+        ({
+            "springConstant", "stiffnessScaling", "restitutionScaling",
+            "materials", "parcelParcel", "parcelWall"
+        })
+    );
+
     const auto scaling = restitutionScaling::New(dict);
 
     return readSurfaces<springCoeffs>
@@ -99,6 +110,16 @@ Foam::cghs::softSphere::readTable
         dict,
         [&](const dictionary& surface, const contact::surfaceType type)
         {
+            warnUnknownEntries
+            (
+                surface,
+                wordList
+                ({
+                    "restitutionCoefficient", "frictionCoefficient",
+                    "rollingFrictionCoefficient"
+                })
+            );
+
             scalar e = scalarInRange(surface, "restitutionCoefficient", SMALL, 1);
             scalar mu = scalarInRange(surface, "frictionCoefficient", 0, GREAT);
 
