@@ -6,6 +6,7 @@
 #include "EMMS.H"
 #include "sphereDrag.H"
 #include "checkedEntry.H"
+#include "knownEntries.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -61,6 +62,12 @@ Foam::cghs::EMMS::EMMS(const dictionary& dict)
     middleEnd_(scalarInRange(dict, "middleEnd", denseEnd_, 1)),
     dilute_(dict.get<FixedList<scalar, 3>>("dilute"))
 {
+    warnUnknownEntries
+    (
+        dict,
+        wordList({"dense", "denseEnd", "middle", "middleEnd", "dilute"})
+    );
+
     if (!(dense_[2] > 0))
     {
         FatalIOErrorInFunction(dict)

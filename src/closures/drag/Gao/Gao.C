@@ -6,6 +6,7 @@
 #include "Gao.H"
 #include "sphereDrag.H"
 #include "checkedEntry.H"
+#include "knownEntries.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -23,7 +24,13 @@ Foam::cghs::Gao::Gao(const dictionary& dict)
     effectiveDiameter_(positiveScalar(dict, "effectiveDiameter")),
     effectiveDiameterInD_(dict.get<bool>("effectiveDiameterInD")),
     blendWidth_(scalarInRange(dict, "blendWidth", 0, 0.09))
-{}
+{
+    warnUnknownEntries
+    (
+        dict,
+        wordList({"effectiveDiameter", "effectiveDiameterInD", "blendWidth"})
+    );
+}
 
 
 Foam::scalar Foam::cghs::Gao::clusterD

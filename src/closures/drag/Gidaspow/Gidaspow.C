@@ -6,6 +6,7 @@
 #include "Gidaspow.H"
 #include "sphereDrag.H"
 #include "checkedEntry.H"
+#include "knownEntries.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -28,7 +29,9 @@ Foam::cghs::Gidaspow::Gidaspow()
 Foam::cghs::Gidaspow::Gidaspow(const dictionary& dict)
 :
     blendWidth_(scalarInRange(dict, "blendWidth", 0, 0.4))
-{}
+{
+    warnUnknownEntries(dict, wordList({"blendWidth"}));
+}
 
 
 Foam::scalar Foam::cghs::Gidaspow::D

@@ -6,6 +6,7 @@
 #include "Igci.H"
 #include "sphereDrag.H"
 #include "checkedEntry.H"
+#include "knownEntries.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -73,7 +74,13 @@ static scalar g(const scalar phi)
 Foam::cghs::Igci::Igci(const dictionary& dict)
 :
     filterShare_(shareOfFilter(dict))
-{}
+{
+    warnUnknownEntries
+    (
+        dict,
+        wordList({"gravity", "filterSize", "terminalVelocity"})
+    );
+}
 
 
 Foam::scalar Foam::cghs::Igci::D

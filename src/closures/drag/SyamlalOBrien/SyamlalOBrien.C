@@ -6,6 +6,7 @@
 #include "SyamlalOBrien.H"
 #include "sphereDrag.H"
 #include "checkedEntry.H"
+#include "knownEntries.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -43,7 +44,9 @@ Foam::cghs::SyamlalOBrien::SyamlalOBrien(const dictionary& dict)
     C1_(positiveScalar(dict, "C1")),
     C2_(positiveScalar(dict, "C2")),
     voidageInRe_(dict.get<bool>("voidageInRe"))
-{}
+{
+    warnUnknownEntries(dict, wordList({"C1", "C2", "voidageInRe"}));
+}
 
 
 Foam::cghs::SyamlalOBrien Foam::cghs::SyamlalOBrien::calibrated

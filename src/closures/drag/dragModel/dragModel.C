@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "dragModel.H"
+#include "knownEntries.H"
 #include "selectModel.H"
 #include "sphereDrag.H"
 #include "vector2D.H"
@@ -18,6 +19,12 @@ namespace cghs
     defineRunTimeSelectionTable(dragModel, dictionary);
     defineRunTimeSelectionTable(dragModel, published);
 }
+}
+
+
+Foam::cghs::dragModel::dragModel(const dictionary& dict)
+{
+    warnUnknownEntries(dict, wordList());
 }
 
 
