@@ -5,6 +5,7 @@
 
 #include "pointPlace.H"
 #include "checkedEntry.H"
+#include "knownEntries.H"
 #include "meshTools.H"
 #include "indexedOctree.H"
 #include "treeDataCell.H"
@@ -33,6 +34,8 @@ Foam::cghs::pointPlace::pointPlace
     radius_(scalarInRange(dict, "radius", 0, GREAT)),
     velocity_(dict.get<vector>("velocity"))
 {
+    warnUnknownEntries(dict, wordList({"points", "radius", "velocity"}));
+
     if (points_.empty())
     {
         FatalIOErrorInFunction(dict)

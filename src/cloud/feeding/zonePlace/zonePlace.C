@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "zonePlace.H"
+#include "knownEntries.H"
 #include "meshNames.H"
 #include "meshTools.H"
 #include "addToRunTimeSelectionTable.H"
@@ -30,6 +31,8 @@ Foam::cghs::zonePlace::zonePlace
     inZone_(mesh.nCells(), false),
     box_()
 {
+    warnUnknownEntries(dict, wordList({"cellZone", "velocity"}));
+
     const word name(dict.get<word>("cellZone"));
     const label zonei = cellZoneNamed(name, "cellZone", dict, mesh);
 

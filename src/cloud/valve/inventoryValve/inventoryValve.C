@@ -6,6 +6,7 @@
 #include "inventoryValve.H"
 #include "closestPoint.H"
 #include "checkedEntry.H"
+#include "knownEntries.H"
 #include "PstreamReduceOps.H"
 
 #include <algorithm>
@@ -41,7 +42,9 @@ Foam::cghs::inventoryValve::inventoryValve
     inventory_(scalarInRange(dict, "inventory", 0, GREAT)),
     triangles_(gatherTriangles(mesh.boundaryMesh()[patchi])),
     box_(boundsOf(triangles_))
-{}
+{
+    warnUnknownEntries(dict, wordList({"type", "inventory"}));
+}
 
 
 bool Foam::cghs::inventoryValve::touches(const sphere& s) const
