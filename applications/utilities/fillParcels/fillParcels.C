@@ -57,6 +57,7 @@ Usage
 #include "flowState.H"
 #include "cloudProperties.H"
 #include "checkedEntry.H"
+#include "knownEntries.H"
 #include "particleSizes.H"
 #include "IOdictionary.H"
 #include "mathematicalConstants.H"
@@ -196,6 +197,20 @@ static void checkFraction
 }
 
 
+static void checkEntries(const dictionary& region)
+{
+    warnUnknownEntries
+    (
+        region,
+        wordList
+        ({
+            "min", "max", "number", "mass", "solidsFraction", "velocity",
+            "velocitySpread", "sizeDistribution"
+        })
+    );
+}
+
+
 //- Draw the diameters of the parcels that a region asks for
 static DynamicList<scalar> draw
 (
@@ -271,6 +286,8 @@ static void plan
     DynamicList<batch>& batches
 )
 {
+    checkEntries(region);
+
     const container whole(mesh);
     const scalar room = volumeOf(mesh, boxOf(region));
     const particleSizes sizes(region, parcel, random);
