@@ -6,6 +6,7 @@
 #include "solidsAverages.H"
 #include "arena.H"
 #include "checkedEntry.H"
+#include "knownEntries.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -99,6 +100,7 @@ Foam::cghs::solidsAverages::solidsAverages
         averageField<scalar>("granularTemperatureInCell", sqr(dimVelocity))
     )
 {
+    warnUnknownOfFunction(dict, wordList({"cloud", "blockTime"}));
     read(dict);
 
     if (getProperty("duration", duration_))

@@ -5,6 +5,7 @@
 
 #include "solidsFlux.H"
 #include "arena.H"
+#include "knownEntries.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -28,6 +29,7 @@ Foam::cghs::solidsFlux::solidsFlux
     flux_(cellField<vector>("solidsFlux", dimVelocity)),
     fraction_(cellField<scalar>("solidsFraction", dimless))
 {
+    warnUnknownOfFunction(dict, wordList({"cloud"}));
     read(dict);
 }
 

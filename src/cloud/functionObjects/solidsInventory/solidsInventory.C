@@ -5,6 +5,7 @@
 
 #include "solidsInventory.H"
 #include "cghsCloud.H"
+#include "knownEntries.H"
 #include "meshNames.H"
 #include "PstreamReduceOps.H"
 #include "addToRunTimeSelectionTable.H"
@@ -42,6 +43,12 @@ Foam::cghs::solidsInventory::solidsInventory
 
 bool Foam::cghs::solidsInventory::read(const dictionary& dict)
 {
+    warnUnknownOfFunction
+    (
+        dict,
+        wordList({"cloud", "cellZones", "patches", "feeders"})
+    );
+
     cloudFunctionObject::read(dict);
 
     const bool again = means_.names().size();

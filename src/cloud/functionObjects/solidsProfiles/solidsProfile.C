@@ -6,6 +6,7 @@
 #include "solidsProfile.H"
 #include "arena.H"
 #include "checkedEntry.H"
+#include "knownEntries.H"
 #include "PstreamReduceOps.H"
 #include "volFields.H"
 
@@ -77,6 +78,12 @@ Foam::boolList Foam::cghs::solidsProfile::inSlab
     if (dict.found("slab"))
     {
         const dictionary& slab = dict.subDict("slab");
+        warnUnknownEntries
+        (
+            slab,
+            wordList({"normal", "position", "thickness"})
+        );
+
         const vector normal(unitVector(slab, "normal"));
         const scalar position = slab.get<scalar>("position");
         const scalar half = 0.5*positiveScalar(slab, "thickness");
@@ -148,6 +155,12 @@ Foam::cghs::solidsProfile::solidsProfile
     volumes_(labelFrom(dict, "bins", 1), Zero),
     bins_(volumes_.size(), blockMoments(N))
 {
+    warnUnknownEntries
+    (
+        dict,
+        wordList({"along", "axis", "origin", "from", "to", "bins", "slab"})
+    );
+
     sortCells(dict, mesh);
 }
 

@@ -5,6 +5,7 @@
 
 #include "solidsProfiles.H"
 #include "arena.H"
+#include "knownEntries.H"
 #include "PstreamReduceOps.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -35,6 +36,8 @@ Foam::cghs::solidsProfiles::solidsProfiles
 
 bool Foam::cghs::solidsProfiles::read(const dictionary& dict)
 {
+    warnUnknownOfFunction(dict, wordList({"cloud", "profiles"}));
+
     cloudFunctionObject::read(dict);
     writeFile::read(dict);
 

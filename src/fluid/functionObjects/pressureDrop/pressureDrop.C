@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "pressureDrop.H"
+#include "knownEntries.H"
 #include "volFields.H"
 #include "PstreamReduceOps.H"
 #include "addToRunTimeSelectionTable.H"
@@ -37,6 +38,8 @@ Foam::cghs::pressureDrop::pressureDrop
 
 bool Foam::cghs::pressureDrop::read(const dictionary& dict)
 {
+    warnUnknownOfFunction(dict, wordList({"pairs"}));
+
     fvMeshFunctionObject::read(dict);
 
     const dictionary& pairs = dict.subDict("pairs");
