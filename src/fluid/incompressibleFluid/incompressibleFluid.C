@@ -67,6 +67,11 @@ Foam::cghs::incompressibleFluid::incompressibleFluid
 
     turbulence_ =
         turbulenceModel::New(alpha_, U_, alphaPhi_, phi_, transport_);
+
+    standIn_.reset
+    (
+        new standIn(turbulence_(), geometricOneField(), phi_, transport_)
+    );
 }
 
 

@@ -153,6 +153,8 @@ Foam::cghs::isothermalGas::isothermalGas
             thermo_()
         );
 
+    standIn_.reset(new standIn(turbulence_(), rho_, phi_, thermo_()));
+
     p_.oldTime();
     rho_.oldTime();
     thermo_->psi().oldTime();
