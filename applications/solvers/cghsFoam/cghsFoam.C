@@ -141,10 +141,6 @@ int main(int argc, char *argv[])
         report.write(Info, fluid);
         pace.report(Info);
 
-        if (runTime.writeTime())
-        {
-            parcels.startAfresh();
-        }
         runTime.write();
 
         runTime.printExecutionTime(Info);

@@ -955,6 +955,10 @@ bool Foam::cghs::cghsCloud::writeObject
     const bool
 ) const
 {
+    // Between settlings parcels may be beyond their cells. Function objects too
+    // may write, at any time; OpenFOAM has declared that const
+    const_cast<cghsCloud&>(*this).startAfresh();
+
     // A restart goes on from these, whatever writePrecision is
     const allDigits precise;
 
