@@ -38,8 +38,8 @@ Usage
     Density and weight of the parcels are those of constant/<cloud>Properties,
     and so is the diameter where a region has no sizeDistribution. A mass or solidsFraction is met to
     within half of the parcel drawn last. Regions may overlap: in all of them
-    the largest parcels are placed first. More solids than a random packing
-    holds, or than fit between the walls, are a FatalIOError.
+    the largest parcels are placed first. A region holds whole parcels. More solids
+    than a random packing holds, or than find room, are a FatalIOError.
 
     In a two-dimensional mesh (empty patches) all centres are in the middle plane,
     and the thickness of the mesh plays no part in whether there is room. Volume
@@ -318,11 +318,81 @@ static void plan
 }
 
 
+//- Names of the patches that parcels touch and that reach into a box
+static wordList touchedIn
+(
+    const boundBox& box,
+    const polyMesh& mesh,
+    const List<labelPair>& touched
+)
+{
+    DynamicList<word> names;
+
+    for (const labelPair& patch : touched)
+    {
+        const polyPatch& pp = mesh.boundaryMesh()[patch.first()];
+        bool inside = false;
+
+        for (const face& f : pp)
+        {
+            inside = inside || box.overlaps(boundBox(pp.points(), f, false));
+        }
+        if (inside)
+        {
+            names.append(pp.name());
+        }
+    }
+
+    return wordList(std::move(names));
+}
+
+
+//- Say what is in the way of parcels of diameter d: the sides of a box, patches,
+//  nBefore larger ones
+static void explainRoom
+(
+    const boundBox& box,
+    const scalar d,
+    const label nPlaced,
+    const label nBefore,
+    const polyMesh& mesh,
+    const List<labelPair>& touched
+)
+{
+    const vector freedom(transport::freedom(mesh));
+
+    for (direction cmpt = 0; cmpt < 3; ++cmpt)
+    {
+        if (freedom[cmpt] > 0 && box.span()[cmpt] < d)
+        {
+            FatalIOError
+                << "It holds whole parcels, but is " << box.span()[cmpt]
+                << " m long in " << vector::componentNames[cmpt] << nl;
+        }
+    }
+
+    const wordList patches(touchedIn(box, mesh, touched));
+
+    FatalIOError << "Whole, clear of each other";
+    if (patches.size())
+    {
+        FatalIOError << ", of the patches " << flatOutput(patches);
+    }
+    if (nBefore)
+    {
+        FatalIOError << ", of the " << nBefore << " placed before";
+    }
+    FatalIOError << ", no more than " << nPlaced << " find room in it" << nl;
+}
+
+
 //- Find places for a batch
 static void place
 (
     const batch& b,
     const constants& parcel,
+    const polyMesh& mesh,
+    const List<labelPair>& touched,
     packer& spheres
 )
 {
@@ -334,15 +404,17 @@ static void place
         radii[i] = parcel.radius(b.diameters[i]);
     }
 
-    const label nPlaced = spheres.fill(boxOf(*b.dict), radii);
+    const boundBox box(boxOf(*b.dict));
+    const label nBefore = spheres.spheres().size();
+    const label nPlaced = spheres.fill(box, radii);
 
     if (nPlaced < n)
     {
         FatalIOErrorInFunction(*b.dict)
             << "Region " << b.region << " asks for " << n << " parcels of "
-            << 2*radii.last() << " to " << 2*radii.first() << " m" << nl
-            << "Between its walls and larger parcels it takes no more than "
-            << nPlaced << " of them" << nl
+            << 2*radii.last() << " to " << 2*radii.first() << " m" << nl;
+        explainRoom(box, 2*radii.first(), nPlaced, nBefore, mesh, touched);
+        FatalIOError
             << "Ask for less or enlarge the region" << nl
             << exit(FatalIOError);
     }
@@ -409,12 +481,9 @@ int main(int argc, char *argv[])
     const constants parcel(properties);
     const cghs::transport boundary(mesh, properties.subDict("boundary"));
 
-    packer spheres
-    (
-        mesh,
-        boundary.wallPatches(),
-        fillDict.get<label>("seed")
-    );
+    const List<labelPair> touched(boundary.wallPatches());
+
+    packer spheres(mesh, touched, fillDict.get<label>("seed"));
 
 
     // ---- Which parcels, and in which order --------------------------------
@@ -444,7 +513,7 @@ int main(int argc, char *argv[])
 
     for (const batch& b : batches)
     {
-        place(b, parcel, spheres);
+        place(b, parcel, mesh, touched, spheres);
         appendVelocities
         (
             b,

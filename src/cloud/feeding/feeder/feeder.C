@@ -209,28 +209,57 @@ void Foam::cghs::feeder::checkFits(transport& cells, contactStage& contacts)
 
     const departure& parcel = waiting_[0];
     const scalar r = arena::radiusOf(parcel.d, parcel.weight);
+    label nInside = 0;
     bool fits = false;
 
     for (label trial = 0; trial < nTrials; ++trial)
     {
         const feedPlace::entrance e(place_->suggest(random_, r, 0, cells));
 
-        fits =
-            fits || (e.cell != -1 && !contacts.touchesWall(sphere(e.x, r)));
+        if (e.cell != -1)
+        {
+            ++nInside;
+            fits = fits || !contacts.touchesWall(sphere(e.x, r));
+        }
     }
 
     fits_ = returnReduce(fits, orOp<bool>());
 
     if (!fits_)
     {
-        FatalIOErrorInFunction(place_->dict())
-            << "A parcel of " << 2*r << " m does not fit into the place where "
-            << name_ << " feeds: " << nTrials << " centres within "
-            << place_->centres(r, 0) << " were all nearer than " << r
-            << " m to a wall, or outside the mesh" << nl
-            << "Widen the place or lower parcelWeight" << nl
-            << exit(FatalIOError);
+        reduce(nInside, sumOp<label>());
+        refusePlace(r, nTrials, nInside);
     }
+}
+
+
+void Foam::cghs::feeder::refusePlace
+(
+    const scalar r,
+    const label nTrials,
+    const label nInside
+) const
+{
+    FatalIOErrorInFunction(place_->dict())
+        << "A parcel of " << 2*r << " m does not fit into the place where "
+        << name_ << " feeds. Of " << nTrials << " centres within "
+        << place_->centres(r, 0) << nl;
+
+    if (nInside < nTrials)
+    {
+        FatalIOError << nTrials - nInside << " are outside the mesh" << nl;
+    }
+    if (nInside)
+    {
+        FatalIOError
+            << nInside << " are nearer than " << r << " m to a patch that parcels"
+            << " touch" << nl;
+    }
+
+    FatalIOError
+        << (nInside ? "Widen the place" : "Move the place into the mesh")
+        << " or lower parcelWeight" << nl
+        << exit(FatalIOError);
 }
 
 
