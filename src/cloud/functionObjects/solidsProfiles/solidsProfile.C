@@ -7,6 +7,7 @@
 #include "arena.H"
 #include "checkedEntry.H"
 #include "knownEntries.H"
+#include "windowReport.H"
 #include "PstreamReduceOps.H"
 #include "volFields.H"
 
@@ -213,17 +214,17 @@ void Foam::cghs::solidsProfile::add
 }
 
 
-Foam::cghs::blockMoments::estimate Foam::cghs::solidsProfile::temperature
+Foam::cghs::blockMoments::derived Foam::cghs::solidsProfile::temperature
 (
     const blockMoments& bin
 )
 {
-    scalarField gradient(N, Zero);
+    blockMoments::derived T{0, scalarField(N, Zero)};
     const scalar M = bin.mean(MASS);
 
     if (!(M > 0))
     {
-        return bin.function(0, gradient);
+        return T;
     }
 
     scalar squaredSpeed = 0;
@@ -231,60 +232,125 @@ Foam::cghs::blockMoments::estimate Foam::cghs::solidsProfile::temperature
     {
         const scalar U = bin.mean(MOMENTUM + d)/M;
         squaredSpeed += sqr(U);
-        gradient[MOMENTUM + d] = -2*U/(3*M);
+        T.gradient[MOMENTUM + d] = -2*U/(3*M);
     }
 
     const scalar meanSquare = bin.mean(SQUARE)/M;
-    gradient[SQUARE] = 1/(3*M);
-    gradient[MASS] = (2*squaredSpeed - meanSquare)/(3*M);
+    T.gradient[SQUARE] = 1/(3*M);
+    T.gradient[MASS] = (2*squaredSpeed - meanSquare)/(3*M);
+    T.value = (meanSquare - squaredSpeed)/3;
 
-    return bin.function((meanSquare - squaredSpeed)/3, gradient);
+    return T;
+}
+
+// * * * * * * * * * * * * * * * * The table * * * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace cghs
+{
+
+//- In the order of solidsProfile::quantities
+static const wordList columns
+({
+    "solidsFraction", "velocityX", "velocityY", "velocityZ",
+    "massFluxX", "massFluxY", "massFluxZ", "granularTemperature"
+});
+
+} // End namespace cghs
+} // End namespace Foam
+
+
+Foam::List<Foam::cghs::blockMoments::derived>
+Foam::cghs::solidsProfile::quantities(const blockMoments& bin)
+{
+    return List<blockMoments::derived>
+    ({
+        bin.ratio(FRACTION, DURATION),
+        bin.ratio(MOMENTUM, MASS),
+        bin.ratio(MOMENTUM + 1, MASS),
+        bin.ratio(MOMENTUM + 2, MASS),
+        bin.ratio(MOMENTUM, DURATION),
+        bin.ratio(MOMENTUM + 1, DURATION),
+        bin.ratio(MOMENTUM + 2, DURATION),
+        temperature(bin)
+    });
 }
 
 
-void Foam::cghs::solidsProfile::write(Ostream& os) const
+Foam::List<Foam::List<Foam::cghs::blockMoments::estimate>>
+Foam::cghs::solidsProfile::estimates() const
 {
-    os  << "# coordinate";
-    for
-    (
-        const char* column
-      : {
-            "solidsFraction", "velocityX", "velocityY", "velocityZ",
-            "massFluxX", "massFluxY", "massFluxZ", "granularTemperature"
-        }
-    )
-    {
-        os  << ' ' << column << ' ' << column << "Error";
-    }
-    os  << " certain" << nl;
+    List<List<blockMoments::derived>> rows(bins_.size());
+    List<blockErrors> together(columns.size());
 
     forAll(bins_, bin)
     {
-        const blockMoments& b = bins_[bin];
-        bool certain = true;
+        rows[bin] = quantities(bins_[bin]);
+
+        forAll(together, q)
+        {
+            together[q].join(bins_[bin].errors(rows[bin][q].gradient));
+        }
+    }
+
+    List<List<blockMoments::estimate>> result(bins_.size());
+
+    forAll(bins_, bin)
+    {
+        result[bin].resize(columns.size());
+
+        forAll(together, q)
+        {
+            result[bin][q] =
+                bins_[bin].judge(rows[bin][q], together[q].choose());
+        }
+    }
+
+    return result;
+}
+
+
+void Foam::cghs::solidsProfile::writeHeader(Ostream& os)
+{
+    os  << "# coordinate";
+    for (const word& column : columns)
+    {
+        os  << ' ' << column << ' ' << column << "Error";
+    }
+    os  << " correlationTime windowLongEnough" << nl;
+}
+
+
+void Foam::cghs::solidsProfile::write(Ostream& os, const word& owner) const
+{
+    const blockMoments& anyBin = bins_[0];
+    windowReport report(anyBin.nSamples()*anyBin.mean(DURATION));
+
+    writeHeader(os);
+
+    const List<List<blockMoments::estimate>> rows(estimates());
+
+    forAll(rows, bin)
+    {
+        scalar longest = 0;
+        bool longEnough = true;
 
         os  << from_ + (bin + 0.5)*width_;
-        for
-        (
-            const blockMoments::estimate& e
-          : {
-                b.ratio(FRACTION, DURATION),
-                b.ratio(MOMENTUM, MASS),
-                b.ratio(MOMENTUM + 1, MASS),
-                b.ratio(MOMENTUM + 2, MASS),
-                b.ratio(MOMENTUM, DURATION),
-                b.ratio(MOMENTUM + 1, DURATION),
-                b.ratio(MOMENTUM + 2, DURATION),
-                temperature(b)
-            }
-        )
+        forAll(columns, q)
         {
+            const blockMoments::estimate& e = rows[bin][q];
+
             os  << ' ' << e.value << ' ' << e.error;
-            certain = certain && e.certain;
+            longest = max(longest, report.correlationTime(e));
+            longEnough = longEnough && e.longEnough;
+            report.see(columns[q], e);
         }
-        os  << ' ' << label(certain) << nl;
+        os  << ' ' << longest << ' ' << label(longEnough) << nl;
     }
     os.flush();
+
+    report.write(owner + ' ' + name_);
 }
 
 // * * * * * * * * * * * * * * * Across a restart  * * * * * * * * * * * * * //

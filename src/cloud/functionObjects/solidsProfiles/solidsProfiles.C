@@ -137,7 +137,7 @@ bool Foam::cghs::solidsProfiles::write()
         if (table.valid())
         {
             table->precision(writePrecision_);
-            profile.write(table());
+            profile.write(table(), name());
         }
     }
     keepState();

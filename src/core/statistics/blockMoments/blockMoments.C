@@ -13,8 +13,26 @@
 Foam::cghs::blockMoments::level::level(const label nMoments)
 :
     blocks(nMoments),
-    waiting(nMoments, Zero)
+    last(nMoments, Zero),
+    differences((nMoments*(nMoments + 1))/2, Zero)
 {}
+
+
+void Foam::cghs::blockMoments::level::addDifferences
+(
+    const UList<scalar>& block
+)
+{
+    label entry = 0;
+
+    forAll(block, k)
+    {
+        for (label l = k; l < block.size(); ++l)
+        {
+            differences[entry++] += (block[k] - last[k])*(block[l] - last[l]);
+        }
+    }
+}
 
 // * * * * * * * * * * * * * * * * The series  * * * * * * * * * * * * * * * //
 
@@ -42,15 +60,20 @@ void Foam::cghs::blockMoments::add(const UList<scalar>& sample)
             levels_.append(level(nMoments_));
         }
         level& here = levels_[l];
-        here.blocks.add(block);
 
-        here.anyWaiting = !here.anyWaiting;
-        if (here.anyWaiting)
+        if (here.blocks.nSamples() > 0)
         {
-            here.waiting = block;
+            here.addDifferences(block);
+        }
+        here.blocks.add(block);
+        here.last.swap(block);
+
+        here.waiting = !here.waiting;
+        if (here.waiting)
+        {
             return;
         }
-        block = 0.5*(block + here.waiting);
+        block = 0.5*(block + here.last);
     }
 }
 
@@ -61,70 +84,109 @@ Foam::scalar Foam::cghs::blockMoments::mean(const label k) const
 }
 
 
-Foam::cghs::blockMoments::estimate Foam::cghs::blockMoments::function
-(
-    const scalar value,
-    const UList<scalar>& gradient
-) const
-{
-    if (nSamples() < 2)
-    {
-        return {value, std::numeric_limits<scalar>::quiet_NaN(), false};
-    }
-
-    const scalar single = levels_[0].blocks.squaredError(gradient);
-    if (!(single > 0))
-    {
-        return {value, 0, true};
-    }
-
-    scalar largest = single;
-    for
-    (
-        label l = 1;
-        l < levels_.size() && levels_[l].blocks.nSamples() >= minBlocks;
-        ++l
-    )
-    {
-        const scalar joined = levels_[l].blocks.squaredError(gradient);
-
-        if (std::pow(8.0, l) > 2*nSamples()*sqr(joined/single))
-        {
-            return {value, std::sqrt(joined), true};
-        }
-        largest = max(largest, joined);
-    }
-
-    return {value, std::sqrt(largest), false};
-}
-
-
-Foam::cghs::blockMoments::estimate Foam::cghs::blockMoments::ratio
+Foam::cghs::blockMoments::derived Foam::cghs::blockMoments::ratio
 (
     const label k,
     const label l
 ) const
 {
-    scalarField gradient(nMoments_, Zero);
+    derived f{0, scalarField(nMoments_, Zero)};
     const scalar below = mean(l);
 
-    if (below == 0)
+    if (below != 0)
     {
-        return function(0, gradient);
+        f.value = mean(k)/below;
+        f.gradient[k] = 1/below;
+        f.gradient[l] -= f.value/below;
     }
 
-    const scalar value = mean(k)/below;
-    gradient[k] = 1/below;
-    gradient[l] -= value/below;
+    return f;
+}
 
-    return function(value, gradient);
+// * * * * * * * * * * * * * * * *  Errors * * * * * * * * * * * * * * * * * //
+
+bool Foam::cghs::blockMoments::varies(const UList<scalar>& gradient) const
+{
+    scalar size = 0;
+    forAll(gradient, k)
+    {
+        size += mag(gradient[k]*mean(k));
+    }
+
+    const scalar variance =
+        nSamples()*levels_[0].blocks.squaredError(gradient);
+
+    return variance > sqr(1e-8*size);
+}
+
+
+Foam::cghs::blockErrors Foam::cghs::blockMoments::errors
+(
+    const UList<scalar>& gradient
+) const
+{
+    blockErrors result;
+
+    if (nSamples() < 2 || !varies(gradient))
+    {
+        result.append(nSamples(), 0, 0);
+        return result;
+    }
+
+    for (const level& l : levels_)
+    {
+        const scalar n = l.blocks.nSamples();
+
+        if (n > 1)
+        {
+            result.append
+            (
+                n,
+                l.blocks.squaredError(gradient),
+                covariances::form(gradient, l.differences)/(2*n*(n - 1))
+            );
+        }
+    }
+
+    return result;
+}
+
+
+Foam::cghs::blockMoments::estimate Foam::cghs::blockMoments::judge
+(
+    const derived& function
+) const
+{
+    return judge(function, errors(function.gradient).choose());
+}
+
+
+Foam::cghs::blockMoments::estimate Foam::cghs::blockMoments::judge
+(
+    const derived& function,
+    const blockErrors::choice& chosen
+) const
+{
+    const blockErrors known(errors(function.gradient));
+
+    return
+    {
+        function.value,
+        nSamples() < 2
+      ? std::numeric_limits<scalar>::quiet_NaN()
+      : std::sqrt(known.squaredError(chosen)),
+        known.independent(chosen),
+        known.longEnough(chosen)
+    };
 }
 
 // * * * * * * * * * * * * * * * Across a restart  * * * * * * * * * * * * * //
 
 Foam::label Foam::cghs::blockMoments::stateSize() const
 {
-    return 2 + covariances(nMoments_).stateSize() + nMoments_;
+    return
+        2 + covariances(nMoments_).stateSize()
+      + nMoments_ + (nMoments_*(nMoments_ + 1))/2;
 }
 
 
@@ -138,9 +200,10 @@ Foam::List<Foam::scalar> Foam::cghs::blockMoments::state() const
         l.blocks.getState(0, known);
 
         numbers.append(l.blocks.nSamples());
-        numbers.append(l.anyWaiting ? 1 : 0);
+        numbers.append(l.waiting ? 1 : 0);
         numbers.append(known);
-        numbers.append(l.waiting);
+        numbers.append(l.last);
+        numbers.append(l.differences);
     }
 
     return List<scalar>(std::move(numbers));
@@ -161,14 +224,17 @@ bool Foam::cghs::blockMoments::setState(const UList<scalar>& state)
     {
         level l(nMoments_);
         l.blocks.setSamples(state[at++]);
-        l.anyWaiting = state[at++] > 0.5;
+        l.waiting = state[at++] > 0.5;
 
         const label nKnown = l.blocks.stateSize();
         l.blocks.setState(0, SubList<scalar>(state, nKnown, at));
         at += nKnown;
 
-        l.waiting = SubList<scalar>(state, nMoments_, at);
-        at += nMoments_;
+        l.last = SubList<scalar>(state, l.last.size(), at);
+        at += l.last.size();
+
+        l.differences = SubList<scalar>(state, l.differences.size(), at);
+        at += l.differences.size();
         levels_.append(l);
     }
 

@@ -49,26 +49,39 @@ void Foam::cghs::covariances::add(const UList<scalar>& sample)
 }
 
 
+Foam::scalar Foam::cghs::covariances::form
+(
+    const UList<scalar>& gradient,
+    const UList<scalar>& triangles,
+    label entry
+)
+{
+    scalar sum = 0;
+
+    for (label k = 0; k < gradient.size(); ++k)
+    {
+        sum += sqr(gradient[k])*triangles[entry++];
+
+        for (label l = k + 1; l < gradient.size(); ++l)
+        {
+            sum += 2*gradient[k]*gradient[l]*triangles[entry++];
+        }
+    }
+
+    // Less than nothing by round-off
+    return max(sum, scalar(0));
+}
+
+
 Foam::scalar Foam::cghs::covariances::squaredError
 (
     const UList<scalar>& gradient,
     const label place
 ) const
 {
-    scalar sum = 0;
-
-    label entry = place*nProducts();
-    for (label k = 0; k < nQuantities_; ++k)
-    {
-        sum += sqr(gradient[k])*products_[entry++];
-
-        for (label l = k + 1; l < nQuantities_; ++l)
-        {
-            sum += 2*gradient[k]*gradient[l]*products_[entry++];
-        }
-    }
-
-    return max(sum, scalar(0))/(nSamples_*(nSamples_ - 1));
+    return
+        form(gradient, products_, place*nProducts())
+       /(nSamples_*(nSamples_ - 1));
 }
 
 // * * * * * * * * * * * * * * * Across a restart  * * * * * * * * * * * * * //

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "timeMeans.H"
+#include "windowReport.H"
 #include "Time.H"
 
 Foam::cghs::timeMeans::timeMeans
@@ -57,15 +58,45 @@ void Foam::cghs::timeMeans::add(const scalar deltaT)
 
 // * * * * * * * * * * * * * * * * The table * * * * * * * * * * * * * * * * //
 
+void Foam::cghs::timeMeans::writeHeader(Ostream& os) const
+{
+    os  << "# time";
+    for (const word& name : names_)
+    {
+        os  << ' ' << name;
+        for
+        (
+            const char* column
+          : {"Mean", "Error", "CorrelationTime", "WindowLongEnough"}
+        )
+        {
+            os  << ' ' << name << column;
+        }
+    }
+    os  << endl;
+}
+
+
 void Foam::cghs::timeMeans::writeRow(Ostream& os, const scalar time) const
 {
+    windowReport report(moments_.nSamples()*moments_.mean(0));
+
     os  << time;
     forAll(now_, q)
     {
-        const blockMoments::estimate mean(moments_.ratio(1 + q, 0));
-        os  << ' ' << now_[q] << ' ' << mean.value << ' ' << mean.error;
+        const blockMoments::estimate mean
+        (
+            moments_.judge(moments_.ratio(1 + q, 0))
+        );
+        report.see(names_[q] + "Mean", mean);
+
+        os  << ' ' << now_[q] << ' ' << mean.value << ' ' << mean.error
+            << ' ' << report.correlationTime(mean)
+            << ' ' << label(mean.longEnough);
     }
     os  << endl;
+
+    report.write(owner_.name());
 }
 
 
@@ -76,13 +107,7 @@ void Foam::cghs::timeMeans::write()
         if (!filePtr_.valid())
         {
             resetFile(fileName_);
-            file() << "# time";
-            for (const word& name : names_)
-            {
-                file()
-                    << ' ' << name << ' ' << name << "Mean " << name << "Error";
-            }
-            file() << endl;
+            writeHeader(file());
             file().precision(writePrecision_);
         }
         writeRow(file(), owner_.time().value());
