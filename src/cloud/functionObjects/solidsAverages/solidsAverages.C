@@ -5,8 +5,10 @@
 
 #include "solidsAverages.H"
 #include "arena.H"
+#include "blockErrors.H"
 #include "checkedEntry.H"
 #include "knownEntries.H"
+#include "PstreamReduceOps.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -251,7 +253,57 @@ void Foam::cghs::solidsAverages::writeErrors()
     setProperty("blockElapsed", blocks_->elapsed());
 
     Info<< type() << ' ' << name() << ": errors from " << blocks_->nBlocks()
-        << " blocks of " << blocks_->length() << " s" << nl << endl;
+        << " blocks of " << blocks_->length() << " s" << nl;
+    if (blocks_->nBlocks() > 1)
+    {
+        writeWindow();
+    }
+    Info<< endl;
+}
+
+
+bool Foam::cghs::solidsAverages::varies(const label celli) const
+{
+    return fractionVariance_[celli] > sqr(1e-8*fraction_[celli]);
+}
+
+
+void Foam::cghs::solidsAverages::writeWindow() const
+{
+    scalarField time(mesh_.nCells(), Zero);
+    scalarField longEnough(mesh_.nCells(), 1);
+    label nVarying = 0;
+    label nShort = 0;
+
+    forAll(time, celli)
+    {
+        if (varies(celli))
+        {
+            const scalar variance = fractionVariance_[celli];
+            const bool isLong = blocks_->longEnough(celli, variance);
+
+            time[celli] =
+                duration_/(2*max(blocks_->independent(celli, variance), 1));
+            longEnough[celli] = isLong;
+            ++nVarying;
+            nShort += !isLong;
+        }
+    }
+
+    writeValues("fractionCorrelationTime", dimTime, time);
+    writeValues("windowLongEnough", dimless, longEnough);
+
+    reduce(nVarying, sumOp<label>());
+    reduce(nShort, sumOp<label>());
+
+    if (nShort > 0)
+    {
+        Info<< "    window too short in " << nShort << " of " << nVarying
+            << " cells: at least " << label(blockErrors::minBlocks)
+            << " blocks that are not alike and "
+            << label(2*blockErrors::leastIndependent)
+            << " correlation times needed" << nl;
+    }
 }
 
 // * * * * * * * * * * * * * * * * The means * * * * * * * * * * * * * * * * //

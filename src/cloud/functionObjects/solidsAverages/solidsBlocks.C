@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "solidsBlocks.H"
+#include "blockErrors.H"
 #include "SubList.H"
 
 Foam::cghs::solidsBlocks::solidsBlocks
@@ -15,7 +16,9 @@ Foam::cghs::solidsBlocks::solidsBlocks
     length_(length),
     elapsed_(0),
     open_(nCells*N, Zero),
-    closed_(N, nCells)
+    closed_(N, nCells),
+    last_(nCells, Zero),
+    differences_(nCells, Zero)
 {}
 
 
@@ -39,10 +42,62 @@ void Foam::cghs::solidsBlocks::add(const cellSums& now, const scalar deltaT)
     if (elapsed_ > (1 - 1e-9)*length_)
     {
         open_ /= elapsed_;
+        addDifferences();
         closed_.add(open_);
         open_ = Zero;
         elapsed_ = 0;
     }
+}
+
+
+void Foam::cghs::solidsBlocks::addDifferences()
+{
+    for (label celli = 0; celli < nCells(); ++celli)
+    {
+        const scalar phi = open_[celli*N + PHI];
+
+        if (nBlocks() > 0)
+        {
+            differences_[celli] += sqr(phi - last_[celli]);
+        }
+        last_[celli] = phi;
+    }
+}
+
+// * * * * * * * * * * * * * * * * The window  * * * * * * * * * * * * * * * //
+
+Foam::scalar Foam::cghs::solidsBlocks::correlation(const label celli) const
+{
+    const scalar n = nBlocks();
+    const scalar sum = n*(n - 1)*sqr(fractionError(celli));
+    const scalar roundOff = n*sqr(1e-8*closed_.mean(PHI, celli));
+
+    return sum > roundOff ? 1 - differences_[celli]/(2*sum) : 0;
+}
+
+
+Foam::scalar Foam::cghs::solidsBlocks::independent
+(
+    const label celli,
+    const scalar variance
+) const
+{
+    const scalar shared = blockErrors::stretch(correlation(celli));
+
+    return variance/max(sqr(fractionError(celli))*shared, VSMALL);
+}
+
+
+bool Foam::cghs::solidsBlocks::longEnough
+(
+    const label celli,
+    const scalar variance
+) const
+{
+    return
+        nBlocks() >= blockErrors::minBlocks
+     && !blockErrors::alike(nBlocks(), correlation(celli))
+     && independent(celli, variance) >= blockErrors::leastIndependent;
 }
 
 // * * * * * * * * * * * * * * * *  Errors * * * * * * * * * * * * * * * * * //
@@ -71,15 +126,22 @@ Foam::scalar Foam::cghs::solidsBlocks::error
 }
 
 
-Foam::scalarField Foam::cghs::solidsBlocks::fractionError() const
+Foam::scalar Foam::cghs::solidsBlocks::fractionError(const label celli) const
 {
-    scalarField result(nCells());
     scalarList gradient(N, Zero);
     gradient[PHI] = 1;
 
+    return error(gradient, celli);
+}
+
+
+Foam::scalarField Foam::cghs::solidsBlocks::fractionError() const
+{
+    scalarField result(nCells());
+
     forAll(result, celli)
     {
-        result[celli] = error(gradient, celli);
+        result[celli] = fractionError(celli);
     }
     return result;
 }
@@ -156,6 +218,7 @@ Foam::scalarField Foam::cghs::solidsBlocks::temperatureError() const
 Foam::List<Foam::tensorField> Foam::cghs::solidsBlocks::state() const
 {
     constexpr label nEach = pTraits<tensor>::nComponents;
+    const label nClosed = closed_.stateSize();
 
     List<tensorField> fields(nStates, tensorField(nCells(), Zero));
     scalarList numbers(nStates*nEach, Zero);
@@ -163,8 +226,10 @@ Foam::List<Foam::tensorField> Foam::cghs::solidsBlocks::state() const
     for (label celli = 0; celli < nCells(); ++celli)
     {
         closed_.getState(celli, numbers);
-        SubList<scalar>(numbers, N, closed_.stateSize()) =
+        SubList<scalar>(numbers, N, nClosed) =
             SubList<scalar>(open_, N, celli*N);
+        numbers[nClosed + N] = last_[celli];
+        numbers[nClosed + N + 1] = differences_[celli];
 
         forAll(numbers, k)
         {
@@ -183,6 +248,7 @@ void Foam::cghs::solidsBlocks::setState
 )
 {
     constexpr label nEach = pTraits<tensor>::nComponents;
+    const label nClosed = closed_.stateSize();
 
     scalarList numbers(nStates*nEach);
 
@@ -195,7 +261,9 @@ void Foam::cghs::solidsBlocks::setState
 
         closed_.setState(celli, numbers);
         SubList<scalar>(open_, N, celli*N) =
-            SubList<scalar>(numbers, N, closed_.stateSize());
+            SubList<scalar>(numbers, N, nClosed);
+        last_[celli] = numbers[nClosed + N];
+        differences_[celli] = numbers[nClosed + N + 1];
     }
 
     closed_.setSamples(nBlocks);
