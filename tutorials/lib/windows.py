@@ -18,6 +18,11 @@
 #     side to side, is missed by that sum. It shows in the means of a tenth or a sixth
 #     of the window each: where these are not independent of their neighbours, but alike,
 #     the window is shorter than what it should see.
+#
+#     This is for whole series, which evaluate and validate make from fields and
+#     tables in files. What the solver sees step by step it judges itself, by the same
+#     rule, from blocks of doubling length (src/core/statistics/blockErrors): the
+#     columns correlationTime and windowLongEnough of its tables.
 # ------------------------------------------------------------------------------
 """How long a window must be, and means over replicas."""
 
