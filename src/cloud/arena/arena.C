@@ -20,8 +20,19 @@ Foam::cghs::arena::arena
     spinning_(spinning),
     shifting_(shifting),
     fading_(false),
-    nMaterials_(nMaterials)
+    nMaterials_(nMaterials),
+    spins("omega"),
+    materials("typeId"),
+    presences("presence"),
+    exits("exitPatch")
 {
+    spins.lend();
+    materials.allow(0, nMaterials_ - 1).readFrom("typeId").lend();
+
+    // Who is not known to come in or go out is all there
+    presences.allow(0, 1).givenAs(1).forget();
+    exits.freshAs(-1).forget();
+
     add(spheres);
     add(motions);
     add(weights);
@@ -44,6 +55,97 @@ void Foam::cghs::arena::add(column& c)
 {
     columns_.append(&c);
     c.resize(size_);
+}
+
+
+void Foam::cghs::arena::addProperty(property& p)
+{
+    for (const property* other : properties_)
+    {
+        if (other->name() == p.name())
+        {
+            FatalErrorInFunction
+                << "Two models want a property " << p.name() << " of the parcels"
+                << nl << exit(FatalError);
+        }
+    }
+
+    add(p.values());
+    properties_.append(&p);
+}
+
+
+Foam::wordList Foam::cghs::arena::entryNames() const
+{
+    DynamicList<word> names;
+
+    for (const property* p : properties_)
+    {
+        if (!p->entryName().empty())
+        {
+            names.append(p->entryName());
+        }
+    }
+
+    return wordList(std::move(names));
+}
+
+
+void Foam::cghs::arena::freshen(const label i, const dictionary& dict)
+{
+    for (property* p : properties_)
+    {
+        p->freshen(i, dict);
+    }
+}
+
+
+Foam::label Foam::cghs::arena::rowWidth() const
+{
+    label n = 0;
+
+    for (const property* p : properties_)
+    {
+        n += p->recycled() ? p->width() : 0;
+    }
+    return n;
+}
+
+
+Foam::scalarList Foam::cghs::arena::row(const label i) const
+{
+    scalarList numbers(rowWidth());
+    label k = 0;
+
+    for (const property* p : properties_)
+    {
+        if (p->recycled())
+        {
+            p->toRow(i, &numbers[k]);
+            k += p->width();
+        }
+    }
+    return numbers;
+}
+
+
+void Foam::cghs::arena::setRow(const label i, const UList<scalar>& numbers)
+{
+    if (numbers.size() != rowWidth())
+    {
+        return;
+    }
+
+    label k = 0;
+
+    for (property* p : properties_)
+    {
+        if (p->recycled())
+        {
+            p->fromRow(i, &numbers[k]);
+            k += p->width();
+        }
+    }
 }
 
 
@@ -130,16 +232,39 @@ Foam::label Foam::cghs::arena::addGuests(const label n)
     spheres.resize(first + n, sphere(Zero, 0));
     motions.resize(first + n, motion(Zero, 0));
 
-    if (spinning_)
+    for (property* p : properties_)
     {
-        spins.resize(first + n, Zero);
-    }
-    if (nMaterials_ > 1)
-    {
-        materials.resize(first + n, 0);
+        if (p->lent())
+        {
+            p->values().resize(first + n);
+        }
     }
 
     return first;
+}
+
+
+void Foam::cghs::arena::lend(const UList<label>& which, Ostream& os) const
+{
+    for (const property* p : properties_)
+    {
+        if (p->lent())
+        {
+            p->values().pack(which, os);
+        }
+    }
+}
+
+
+void Foam::cghs::arena::borrow(const label first, Istream& is)
+{
+    for (property* p : properties_)
+    {
+        if (p->lent())
+        {
+            p->values().unpackTo(first, is);
+        }
+    }
 }
 
 
@@ -148,13 +273,12 @@ void Foam::cghs::arena::dismissGuests()
     spheres.resize(size_);
     motions.resize(size_);
 
-    if (spinning_)
+    for (property* p : properties_)
     {
-        spins.resize(size_);
-    }
-    if (nMaterials_ > 1)
-    {
-        materials.resize(size_);
+        if (p->lent())
+        {
+            p->values().resize(size_);
+        }
     }
 }
 

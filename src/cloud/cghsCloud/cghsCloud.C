@@ -78,11 +78,9 @@ void Foam::cghs::cghsCloud::checkEntries() const
             "neighbourSkin", "minVoidage"
         })
     );
-    warnUnknownEntries
-    (
-        properties_.subDict("constantProperties"),
-        wordList({"diameter", "density", "parcelWeight"})
-    );
+    wordList constants({"diameter", "density", "parcelWeight"});
+    constants.append(parcels_.entryNames());
+    warnUnknownEntries(properties_.subDict("constantProperties"), constants);
     warnUnknownEntries
     (
         subModels(),
@@ -237,7 +235,7 @@ Foam::cghs::cghsCloud::cghsCloud
         g
     ),
     wallMotion_(mesh),
-    feeding_(properties_, parcels_.nMaterials(), mesh),
+    feeding_(properties_, parcels_, mesh),
     suspended_(false)
 {
     checkEntries();
@@ -261,7 +259,13 @@ Foam::cghs::cghsCloud::cghsCloud
         parcels_.add(contacts_.formerIndices());
     }
 
-    readParcels(mesh, name, parcels_);
+    readParcels
+    (
+        mesh,
+        name,
+        properties_.subDict("constantProperties"),
+        parcels_
+    );
     if (contacts_.remembers())
     {
         readMemories(*this, parcels_, contacts_);

@@ -20,13 +20,42 @@ namespace Foam
 namespace cghs
 {
 
+//- Hands properties on as fields
+template<class Use>
+class fieldSink
+:
+    public propertySink
+{
+    const Use& use_;
+
+public:
+
+    explicit fieldSink(const Use& use): use_(use) {}
+
+    virtual void take(const word& name, const UList<label>& values)
+    {
+        use_(name, labelField(values));
+    }
+
+    virtual void take(const word& name, const UList<scalar>& values)
+    {
+        use_(name, scalarField(values));
+    }
+
+    virtual void take(const word& name, const UList<vector>& values)
+    {
+        use_(name, vectorField(values));
+    }
+};
+
+
 //- Call use(name, values) for each field that is written
 template<class Use>
 static void forFields(const arena& parcels, const Use& use)
 {
     const label n = parcels.size();
 
-    vectorField x(n), v(n), w(parcels.spinning() ? n : 0);
+    vectorField x(n), v(n);
     scalarField d(n), rho(n), weight(n), dParcel(n);
 
     for (label i = 0; i < n; ++i)
@@ -37,11 +66,6 @@ static void forFields(const arena& parcels, const Use& use)
         rho[i] = parcels.density(i);
         weight[i] = parcels.weights[i];
         dParcel[i] = 2*parcels.spheres[i].r;
-
-        if (parcels.spinning())
-        {
-            w[i] = parcels.spins[i];
-        }
     }
 
     use("position", x);
@@ -51,18 +75,10 @@ static void forFields(const arena& parcels, const Use& use)
     use("nParticle", weight);
     use("dParcel", dParcel);
 
-    if (parcels.spinning())
+    fieldSink<Use> sink(use);
+    for (const property* p : parcels.properties())
     {
-        use("omega", w);
-    }
-    if (parcels.fading())
-    {
-        use("presence", scalarField(SubList<scalar>(parcels.presences, n)));
-        use("exitPatch", labelField(SubList<label>(parcels.exits, n)));
-    }
-    if (parcels.nMaterials() > 1)
-    {
-        use("typeId", labelField(SubList<label>(parcels.materials, n)));
+        p->show(n, sink);
     }
 }
 
@@ -427,45 +443,67 @@ static void checkPlaced(const passiveParticleCloud& files)
 }
 
 
-//- The number of each parcel's material
-static labelField readMaterials
-(
-    const passiveParticleCloud& files,
-    const label nMaterials
-)
+//- Properties as they are in files
+class fileSource
+:
+    public propertySource
 {
-    const labelField materials(readField<label>(files, "typeId"));
+    const passiveParticleCloud& files_;
 
-    forAll(materials, i)
+    template<class Type>
+    bool read(const word& name, Field<Type>& values) const
     {
-        if (materials[i] < 0 || materials[i] >= nMaterials)
+        const bool there = hasField<Type>(files_, name);
+
+        if (there)
         {
-            errorIn(pathOf(files, "typeId"))
-                << "Parcel " << i << " has typeId " << materials[i] << nl
-                << "It must be from 0 to " << nMaterials - 1
-                << ", the number in the contact model's list of materials" << nl
-                << exit(FatalIOError);
+            values = readField<Type>(files_, name);
         }
+        return there;
     }
 
-    return materials;
-}
+public:
 
-//- Whoever is not known to come in or go out is all there
-static void readPresence(const passiveParticleCloud& files, arena& parcels)
-{
-    static_cast<UList<scalar>&>(parcels.presences) = 1;
-    static_cast<UList<label>&>(parcels.exits) = -1;
+    explicit fileSource(const passiveParticleCloud& files): files_(files) {}
 
-    if (hasField<scalar>(files, "presence"))
+    virtual bool give(const word& name, labelField& values)
     {
-        const scalarField presences(readField<scalar>(files, "presence"));
-        const labelField exits(readField<label>(files, "exitPatch"));
+        return read(name, values);
+    }
 
-        forAll(presences, i)
+    virtual bool give(const word& name, scalarField& values)
+    {
+        return read(name, values);
+    }
+
+    virtual bool give(const word& name, vectorField& values)
+    {
+        return read(name, values);
+    }
+};
+
+
+static void readProperties
+(
+    const passiveParticleCloud& files,
+    const dictionary& constantProperties,
+    arena& parcels
+)
+{
+    fileSource source(files);
+
+    for (property* p : parcels.properties())
+    {
+        const label bad =
+            p->fill(parcels.size(), source, constantProperties);
+
+        if (bad >= 0)
         {
-            parcels.presences[i] = min(max(presences[i], 0), 1);
-            parcels.exits[i] = exits[i];
+            errorIn(pathOf(files, p->name())) << "Parcel " << bad << " has ";
+            p->explain(bad, FatalIOError);
+            FatalIOError
+                << nl << "Restore the file or mend the value" << nl
+                << exit(FatalIOError);
         }
     }
 }
@@ -478,6 +516,7 @@ void Foam::cghs::readParcels
 (
     const polyMesh& mesh,
     const word& cloudName,
+    const dictionary& constantProperties,
     arena& parcels
 )
 {
@@ -505,26 +544,9 @@ void Foam::cghs::readParcels
     const vectorField v(readVectors(files, "U"));
 
     const bool exact = hasField<vector>(files, "position");
-    const bool spins =
-        parcels.spinning() && hasField<vector>(files, "omega");
-
     vectorField x(exact ? readVectors(files, "position") : vectorField());
-    const vectorField w(spins ? readVectors(files, "omega") : vectorField());
 
-    if (parcels.fading())
-    {
-        readPresence(files, parcels);
-    }
-
-    if (parcels.nMaterials() > 1)
-    {
-        const labelField materials(readMaterials(files, parcels.nMaterials()));
-
-        forAll(materials, i)
-        {
-            parcels.materials[i] = materials[i];
-        }
-    }
+    readProperties(files, constantProperties, parcels);
 
     label i = 0;
     for (const passiveParticle& p : files)
@@ -533,11 +555,6 @@ void Foam::cghs::readParcels
         parcels.motions[i].v = v[i];
         parcels.cells[i] = p.cell();
         parcels.ids[i] = p.origId();
-
-        if (parcels.spinning())
-        {
-            parcels.spins[i] = spins ? w[i] : Zero;
-        }
         ++i;
     }
 

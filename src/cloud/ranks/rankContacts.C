@@ -21,16 +21,6 @@ static boundBox widened(const boundBox& box, const scalar by)
 }
 
 
-//- None if there is only one material
-static labelList materialsOf(const arena& parcels, const UList<label>& which)
-{
-    return
-        parcels.nMaterials() > 1
-      ? labelList(UIndirectList<label>(parcels.materials, which))
-      : labelList();
-}
-
-
 static boundBox boxOf(const arena& parcels)
 {
     boundBox box(boundBox::invertedBox);
@@ -238,7 +228,6 @@ void Foam::cghs::rankContacts::borrow
             IPstream is(Pstream::commsTypes::scheduled, m.rank);
             const List<sphere> spheres(is);
             const List<motion> motions(is);
-            const labelList materials(is);
             guestIds_.append(labelList(is));
 
             const label first = parcels.addGuests(spheres.size());
@@ -248,12 +237,9 @@ void Foam::cghs::rankContacts::borrow
             {
                 parcels.spheres[first + k] = spheres[k];
                 parcels.motions[first + k] = motions[k];
-                if (materials.size())
-                {
-                    parcels.materials[first + k] = materials[k];
-                }
                 meetingOfGuest_.append(mi);
             }
+            parcels.borrow(first, is);
         }
         else
         {
@@ -284,8 +270,8 @@ void Foam::cghs::rankContacts::borrow
             OPstream os(Pstream::commsTypes::scheduled, m.rank);
             os  << List<sphere>(UIndirectList<sphere>(parcels.spheres, lent))
                 << List<motion>(UIndirectList<motion>(parcels.motions, lent))
-                << materialsOf(parcels, lent)
                 << labelList(UIndirectList<label>(parcels.ids, lent));
+            parcels.lend(lent, os);
         }
     }
 }

@@ -350,9 +350,9 @@ void Foam::cghs::transport::noteEscape
                 parcels.diameters[i],
                 parcels.weights[i],
                 parcels.density(i),
-                parcels.materialOf(i),
                 parcels.ids[i],
-                patchi
+                patchi,
+                parcels.row(i)
             }
         );
     }

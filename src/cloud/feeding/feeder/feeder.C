@@ -24,8 +24,8 @@ namespace cghs
     //- Places suggested for each parcel that is due
     constexpr label nTries = 30;
 
-    //- Numbers that make up a departure in a state
-    constexpr label nNumbers = 6;
+    //- Numbers of a departure in a state, before those of its properties
+    constexpr label nNumbers = 5;
 
     //- More parcels owed than this are warned of
     constexpr label manyParcels = 10;
@@ -34,12 +34,41 @@ namespace cghs
 
 // * * * * * * * * * * * * * * * Construction  * * * * * * * * * * * * * * * //
 
-Foam::label Foam::cghs::feeder::readMaterial(const label nMaterials) const
+namespace Foam
 {
-    const label material = dict_.getOrDefault<label>("typeId", 0);
-    checkRange(dict_, "typeId", material, 0, max(nMaterials, 1) - 1);
+namespace cghs
+{
 
-    return material;
+//- The feeder's entries, and the constantProperties that it does not have
+static dictionary freshEntries
+(
+    const dictionary& dict,
+    const dictionary& cloudProperties
+)
+{
+    dictionary all(dict);
+    all |= cloudProperties.subDict("constantProperties");
+    return all;
+}
+
+}
+}
+
+
+void Foam::cghs::feeder::checkEntries(const arena& parcels) const
+{
+    wordList known
+    ({
+        "feedPlace", "massFlowRate", "recycle", "shortage", "diameter",
+        "density", "parcelWeight", "sizeDistribution", "typeId", "seed"
+    });
+    known.append(parcels.entryNames());
+    warnUnknownEntries(dict_, known);
+
+    for (const property* p : parcels.properties())
+    {
+        p->check(fresh_);
+    }
 }
 
 
@@ -74,14 +103,14 @@ Foam::cghs::feeder::feeder
     const word& name,
     const dictionary& dict,
     const dictionary& cloudProperties,
-    const label nMaterials,
+    const arena& parcels,
     const polyMesh& mesh
 )
 :
     name_(name),
     dict_(dict),
     particle_(cloudProperties, dict_),
-    material_(readMaterial(nMaterials)),
+    fresh_(freshEntries(dict_, cloudProperties)),
     seed_(dict.getOrDefault<label>("seed", 1)),
     random_(seed_),
     place_(feedPlace::New(dict_, mesh)),
@@ -98,15 +127,7 @@ Foam::cghs::feeder::feeder
     fits_(false),
     warned_(false)
 {
-    warnUnknownEntries
-    (
-        dict,
-        wordList
-        ({
-            "feedPlace", "massFlowRate", "recycle", "shortage", "diameter",
-            "density", "parcelWeight", "sizeDistribution", "typeId", "seed"
-        })
-    );
+    checkEntries(parcels);
     readSupply(mesh);
 }
 
@@ -147,9 +168,9 @@ void Foam::cghs::feeder::drawWaiting()
                 sizes_->draw(),
                 particle_.weight,
                 particle_.density,
-                material_,
                 -1,
-                -1
+                -1,
+                scalarList()
             }
         );
         inLine += waiting_.last().mass();
@@ -376,7 +397,7 @@ void Foam::cghs::feeder::findPlaces
                 arrival
                 {
                     waiting_[t/nTries], it.s.x, velocities[t], owners[t],
-                    it.cell
+                    it.cell, &fresh_
                 }
             );
         }
@@ -467,19 +488,19 @@ void Foam::cghs::feeder::report(Ostream& os) const
 
 Foam::dictionary Foam::cghs::feeder::state() const
 {
-    scalarList numbers(nNumbers*waiting_.size());
+    List<scalarList> numbers(waiting_.size());
 
     forAll(waiting_, k)
     {
         const departure& parcel = waiting_[k];
-        scalar* to = &numbers[nNumbers*k];
 
-        to[0] = parcel.d;
-        to[1] = parcel.weight;
-        to[2] = parcel.density;
-        to[3] = parcel.material;
-        to[4] = parcel.id;
-        to[5] = parcel.patch;
+        numbers[k] =
+            scalarList
+            ({
+                parcel.d, parcel.weight, parcel.density, scalar(parcel.id),
+                scalar(parcel.patch)
+            });
+        numbers[k].append(parcel.row);
     }
 
     dictionary state;
@@ -499,18 +520,16 @@ void Foam::cghs::feeder::setState(const dictionary& state)
     state.readEntry("fed", fed_);
     state.readEntry("refused", refused_);
 
-    const scalarList numbers(state.get<scalarList>("waiting"));
     waiting_.clear();
 
-    for (label k = 0; k + nNumbers <= numbers.size(); k += nNumbers)
+    for (const scalarList& x : state.get<List<scalarList>>("waiting"))
     {
         waiting_.append
         (
             departure
             {
-                numbers[k], numbers[k + 1], numbers[k + 2],
-                label(numbers[k + 3]), label(numbers[k + 4]),
-                label(numbers[k + 5])
+                x[0], x[1], x[2], label(x[3]), label(x[4]),
+                SubList<scalar>(x, x.size() - nNumbers, nNumbers)
             }
         );
     }

@@ -11,7 +11,7 @@
 Foam::cghs::feeding::feeding
 (
     const dictionary& cloudProperties,
-    const label nMaterials,
+    const arena& parcels,
     const polyMesh& mesh
 )
 :
@@ -28,7 +28,7 @@ Foam::cghs::feeding::feeding
                 e.keyword(),
                 e.dict(),
                 cloudProperties,
-                nMaterials,
+                parcels,
                 mesh
             )
         );
@@ -136,18 +136,11 @@ void Foam::cghs::feeding::append
     parcels.cells[i] = newcomer.cell;
     parcels.ids[i] = id;
 
-    if (parcels.spinning())
+    parcels.freshen(i, *newcomer.fresh);
+
+    if (it.row.size())
     {
-        parcels.spins[i] = Zero;
-    }
-    if (parcels.nMaterials() > 1)
-    {
-        parcels.materials[i] = it.material;
-    }
-    if (parcels.fading())
-    {
-        parcels.presences[i] = 0;
-        parcels.exits[i] = -1;
+        parcels.setRow(i, it.row);
     }
 }
 
