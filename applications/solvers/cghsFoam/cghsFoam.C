@@ -83,7 +83,7 @@ int main(int argc, char *argv[])
 
         // ---- Parcels: feeding, suspension, contact, transport -------------
 
-        parcels.exchange(deltaT);
+        parcels.feed(deltaT);
 
         // Where there are none, nothing is exchanged. The step after they have
         // gone, and the first, set the voidage right.

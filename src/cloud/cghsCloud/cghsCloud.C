@@ -84,7 +84,7 @@ void Foam::cghs::cghsCloud::checkEntries() const
     warnUnknownEntries
     (
         subModels(),
-        wordList({"contactModel", "dragModel", "mappingModel"})
+        wordList({"contactModel", "dragModel", "mappingModel", "exchanges"})
     );
 }
 
@@ -224,6 +224,7 @@ Foam::cghs::cghsCloud::cghsCloud
         contactModel_->needsShifts(),
         max(contactModel_->materials().size(), 1)
     ),
+    exchanges_(cghs::exchange::New(subModels(), mesh, parcels_)),
     transport_(mesh, properties_.subDict("boundary")),
     contacts_
     (
@@ -417,14 +418,14 @@ Foam::labelList Foam::cghs::cghsCloud::findLeaving(const scalar deltaT)
 }
 
 
-void Foam::cghs::cghsCloud::exchange(const scalar deltaT)
+void Foam::cghs::cghsCloud::feed(const scalar deltaT)
 {
     if (valves_.empty() && !feeding_.needed())
     {
         return;
     }
 
-    addProfiling(exchange, "cghs::exchange");
+    addProfiling(feed, "cghs::feed");
 
     const labelList exits(findLeaving(deltaT));
     bool anyLeaves = false;
@@ -542,6 +543,11 @@ void Foam::cghs::cghsCloud::evolve(const scalar deltaT)
         remaining = last ? 0 : remaining - dt;
         ++log_.nSolidsSteps;
         log_.minDeltaT = min(log_.minDeltaT, dt);
+    }
+
+    for (cghs::exchange& e : exchanges_)
+    {
+        e.evolve(parcels_, deltaT);
     }
 
     if (suspended_ && coupling_ == couplingType::twoWay)
@@ -870,6 +876,17 @@ std::size_t Foam::cghs::cghsCloud::bytesPerParcel() const
     return
         parcels_.bytesPerParcel()
       + contacts_.bytes()/max(parcels_.size(), 1);
+}
+
+
+void Foam::cghs::cghsCloud::report(Ostream& os) const
+{
+    feeding_.report(os);
+
+    for (const cghs::exchange& e : exchanges_)
+    {
+        e.report(parcels_, os);
+    }
 }
 
 // * * * * * * * * * * * * * * * Input and output  * * * * * * * * * * * * * //

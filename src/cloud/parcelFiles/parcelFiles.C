@@ -546,8 +546,6 @@ void Foam::cghs::readParcels
     const bool exact = hasField<vector>(files, "position");
     vectorField x(exact ? readVectors(files, "position") : vectorField());
 
-    readProperties(files, constantProperties, parcels);
-
     label i = 0;
     for (const passiveParticle& p : files)
     {
@@ -557,6 +555,7 @@ void Foam::cghs::readParcels
         parcels.ids[i] = p.origId();
         ++i;
     }
+    readProperties(files, constantProperties, parcels);
 
     if (exact)
     {

@@ -117,7 +117,7 @@ void Foam::cghs::stepReport::write
         << ", largest overlap " << 100*log.maxOverlap
         << " % of d, correction work " << log.correctionWork << " J, "
         << log.nCrowdedCells << " cells too full" << nl;
-    parcels_.reportFeeding(os);
+    parcels_.report(os);
 
     if (fluid.valid())
     {

@@ -1,0 +1,51 @@
+/*---------------------------------------------------------------------------*\
+    cghsFoam | coarse-grained hard spheres in OpenFOAM
+    GPL-3.0-or-later, see LICENSE
+\*---------------------------------------------------------------------------*/
+
+#include "exchange.H"
+#include "selectModel.H"
+#include "fvMesh.H"
+
+namespace Foam
+{
+namespace cghs
+{
+    defineTypeNameAndDebug(exchange, 0);
+    defineRunTimeSelectionTable(exchange, dictionary);
+}
+}
+
+
+Foam::PtrList<Foam::cghs::exchange> Foam::cghs::exchange::New
+(
+    const dictionary& subModels,
+    const fvMesh& mesh,
+    arena& parcels
+)
+{
+    PtrList<exchange> models;
+
+    if (!subModels.found("exchanges"))
+    {
+        return models;
+    }
+
+    // Libraries make the table when they bring the first model
+    const dictionaryConstructorTable none;
+    const dictionaryConstructorTable& table =
+        dictionaryConstructorTablePtr_
+      ? *dictionaryConstructorTablePtr_
+      : none;
+
+    for (const word& name : subModels.get<wordList>("exchanges"))
+    {
+        models.append
+        (
+            selectNamed<exchange>(name, subModels, table, mesh).ptr()
+        );
+        models.last().addColumns(parcels);
+    }
+
+    return models;
+}
