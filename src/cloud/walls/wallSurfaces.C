@@ -622,6 +622,11 @@ bool Foam::cghs::wallSurfaces::findThin(const scalar thickness)
 bool Foam::cghs::wallSurfaces::between(const vector& a, const vector& b)
 {
     const scalar reach = mag(b - a);
+
+    if (reach == 0)
+    {
+        return false;
+    }
     widen(reach);
 
     bool found = false;
