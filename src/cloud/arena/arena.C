@@ -256,13 +256,13 @@ void Foam::cghs::arena::lend(const UList<label>& which, Ostream& os) const
 }
 
 
-void Foam::cghs::arena::borrow(const label first, Istream& is)
+void Foam::cghs::arena::borrow(const UList<label>& guests, Istream& is)
 {
     for (property* p : properties_)
     {
         if (p->lent())
         {
-            p->values().unpackTo(first, is);
+            p->values().unpackTo(guests, is);
         }
     }
 }

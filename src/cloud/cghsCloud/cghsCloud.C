@@ -242,6 +242,14 @@ Foam::cghs::cghsCloud::cghsCloud
     checkEntries();
     makeValves();
 
+    for (const cghs::exchange& e : exchanges_)
+    {
+        if (e.looksAtContacts())
+        {
+            contacts_.startLending();
+        }
+    }
+
     if (feeding_.recycling())
     {
         transport_.keepDepartures();
@@ -491,9 +499,27 @@ void Foam::cghs::cghsCloud::solidsStep
     }
 
     contacts_.correct(parcels_, deltaT);
+    lendContacts(deltaT);
 
     state_ = transport_.move(parcels_, deltaT);
     contacts_.moved(state_.maxDistance, deltaT);
+}
+
+
+void Foam::cghs::cghsCloud::lendContacts(const scalar deltaT)
+{
+    for (cghs::exchange& e : exchanges_)
+    {
+        if (e.looksAtContacts())
+        {
+            contacts_.lend
+            (
+                e.shown(),
+                e.collected(),
+                [&](const contactList& list) { e.touch(list, parcels_, deltaT); }
+            );
+        }
+    }
 }
 
 

@@ -20,6 +20,7 @@ Foam::cghs::contactStage::contactStage
     model_(std::move(model)),
     magG_(mag(g)),
     margin_(model_->margin()),
+    lends_(false),
     remember_(model_->needsMemory()),
     anticipate_(model_->anticipates()),
     skinShare_(skinShare),

@@ -17,6 +17,32 @@ namespace cghs
 }
 
 
+void Foam::cghs::exchange::lookAtContacts
+(
+    const UList<property*>& shown,
+    const UList<property*>& collected
+)
+{
+    looksAtContacts_ = true;
+    shown_ = shown;
+    collected_ = collected;
+
+    for (const UList<property*>* list : {&shown, &collected})
+    {
+        for (const property* p : *list)
+        {
+            if (!p->lent())
+            {
+                FatalErrorInFunction
+                    << "Property " << p->name() << " is to be there where parcels"
+                    << " touch, but is not lent: see property" << nl
+                    << exit(FatalError);
+            }
+        }
+    }
+}
+
+
 Foam::PtrList<Foam::cghs::exchange> Foam::cghs::exchange::New
 (
     const dictionary& subModels,

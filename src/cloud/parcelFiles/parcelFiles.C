@@ -78,7 +78,10 @@ static void forFields(const arena& parcels, const Use& use)
     fieldSink<Use> sink(use);
     for (const property* p : parcels.properties())
     {
-        p->show(n, sink);
+        if (p->written())
+        {
+            p->show(n, sink);
+        }
     }
 }
 
@@ -483,6 +486,21 @@ public:
 };
 
 
+//- What is not in files is not to be found there
+class noSource
+:
+    public propertySource
+{
+public:
+
+    virtual bool give(const word&, labelField&) { return false; }
+
+    virtual bool give(const word&, scalarField&) { return false; }
+
+    virtual bool give(const word&, vectorField&) { return false; }
+};
+
+
 static void readProperties
 (
     const passiveParticleCloud& files,
@@ -490,10 +508,15 @@ static void readProperties
     arena& parcels
 )
 {
-    fileSource source(files);
+    fileSource inFiles(files);
+    noSource nowhere;
 
     for (property* p : parcels.properties())
     {
+        propertySource& source =
+            p->written()
+          ? static_cast<propertySource&>(inFiles)
+          : static_cast<propertySource&>(nowhere);
         const label bad =
             p->fill(parcels.size(), source, constantProperties);
 

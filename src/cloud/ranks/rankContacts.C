@@ -239,7 +239,7 @@ void Foam::cghs::rankContacts::borrow
                 parcels.motions[first + k] = motions[k];
                 meetingOfGuest_.append(mi);
             }
-            parcels.borrow(first, is);
+            parcels.borrow(m.guests, is);
         }
         else
         {
