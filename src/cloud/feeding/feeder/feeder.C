@@ -65,6 +65,9 @@ void Foam::cghs::feeder::checkEntries(const arena& parcels) const
     known.append(parcels.entryNames());
     warnUnknownEntries(dict_, known);
 
+    // Asked for where there is one material, too
+    parcels.materials.check(fresh_);
+
     for (const property* p : parcels.properties())
     {
         p->check(fresh_);
