@@ -5,7 +5,7 @@
 
 #include "velocityCorrection.H"
 #include "hardSphereImpulse.H"
-#include "checkedEntry.H"
+#include "frictionEntries.H"
 #include "knownEntries.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -19,6 +19,22 @@ namespace cghs
     // See the header
     constexpr scalar fresh = 4;
     constexpr scalar resting = 3;
+
+
+    //- Friction of a push, which ends the slip at most: what one sweep throws
+    //  back, the next would throw back again
+    static void resistSlip
+    (
+        const contact& c,
+        bodies& b,
+        impactCoeffs k,
+        const scalar me,
+        const scalar Jn
+    )
+    {
+        k.et = 0;
+        resist(c, b, k, me, Jn);
+    }
 }
 }
 
@@ -37,7 +53,8 @@ Foam::cghs::velocityCorrection::velocityCorrection(const dictionary& dict)
 }
 
 
-Foam::scalar Foam::cghs::velocityCorrection::sweep
+template<bool rubs>
+Foam::scalar Foam::cghs::velocityCorrection::sweepContacts
 (
     const label sweepi,
     contactList& list,
@@ -76,10 +93,35 @@ Foam::scalar Foam::cghs::velocityCorrection::sweep
           ? max(min(overlapShare_*room - velocityShare_*vn, room - vn), scalar(0))
           : 0;
 
-        const scalar J = effectiveMass(c, b)*gain;
+        const scalar me = effectiveMass(c, b);
+        const scalar J = me*gain;
+
+        if (rubs && J > 0)
+        {
+            resistSlip(c, b, coeffs[c.surface], me, J);
+        }
         push(c, b, J*c.n);
         work += J*(vn + 0.5*gain);
     }
 
     return work;
+}
+
+
+Foam::scalar Foam::cghs::velocityCorrection::sweep
+(
+    const label sweepi,
+    contactList& list,
+    bodies& b,
+    const impactTable& coeffs,
+    const stepScales& step
+) const
+{
+    const bool rubs =
+        anyOf(coeffs, [](const impactCoeffs& k) { return k.mu > 0; });
+
+    return
+        rubs
+      ? sweepContacts<true>(sweepi, list, b, coeffs, step)
+      : sweepContacts<false>(sweepi, list, b, coeffs, step);
 }

@@ -47,17 +47,22 @@ const scalar e = 1;
 const impactTable coeffs(contact::nSurfaces, impactCoeffs(e, 0, 0));
 
 
+//- All that friction can do
+const impactTable rough(contact::nSurfaces, impactCoeffs(e, 0.5, 0.3, 0.1));
+
+
 scalar sweep
 (
     const correctionModel& model,
     const label sweepi,
     bodyScene& scene,
-    const scalar deltaT
+    const scalar deltaT,
+    const impactTable& table = coeffs
 )
 {
     bodies b(scene.view());
     return
-        model.sweep(sweepi, scene, b, coeffs, stepScales{deltaT, 0});
+        model.sweep(sweepi, scene, b, table, stepScales{deltaT, 0});
 }
 
 
@@ -111,6 +116,80 @@ TEST_CASE("Corrections keep momentum, and leave spins alone", "[correction]")
     linear.settle();
     angular.settle();
     unturned.settle();
+}
+
+
+TEST_CASE("Corrections that rub keep linear and angular momentum, and add no "
+    "more energy than pushes do", "[correction]")
+{
+    claim linear("correction.linearMomentumWithFriction", 1e-14);
+    claim angular("correction.angularMomentumWithFriction", 1e-14);
+    claim lossy("correction.frictionAddsNoEnergy", 1e-13);
+
+    forEachHeap(69, [&](const correctionModel& model, bodyScene h)
+    {
+        bodies b(h.view());
+        const vector P(linearMomentum(b));
+        const vector L(angularMomentum(b));
+
+        for (label sweepi = 0; sweepi < model.nSweeps(); ++sweepi)
+        {
+            const scalar was = kineticEnergy(b);
+            const scalar work = sweep(model, sweepi, h, deltaT, rough);
+            const scalar is = kineticEnergy(b);
+
+            lossy.see(max(is - was - work, scalar(0))/max(was, is));
+        }
+
+        linear.see(mag(linearMomentum(b) - P)/momentumScale(b));
+        angular.see(mag(angularMomentum(b) - L)/angularMomentumScale(b));
+    });
+
+    linear.settle();
+    angular.settle();
+    lossy.settle();
+}
+
+
+TEST_CASE("A push rubs by mu times itself, or ends the slip, and never turns it "
+    "round", "[correction]")
+{
+    claim law("correction.frictionOfPush", 1e-12);
+    claim both("correction.slidesAndSticks", 0);
+    sampler random(70);
+    label nStuck = 0, nSlid = 0;
+
+    for (label i = 0; i < 3000; ++i)
+    {
+        twoBodies p(random.below(2) ? randomPair(random) : randomWall(random));
+        const scalar mu = random.acrossDecades(1e-2, 1e2);
+        const impactTable table(contact::nSurfaces, impactCoeffs(e, 1, mu));
+
+        // Slow enough to be no impact
+        p.setNormalSpeed(-random.between(0, 0.9)*p.touch().overlap/deltaT);
+        const twoBodies before(p);
+        sweep(*velocityCorrectionOf(0.1, 1), 0, p, deltaT, table);
+
+        const vector P(impulseBetween(before, p));
+        const scalar Jn = P & p.touch().n;
+        const vector stopping(-p.tangentialMass()*before.slip());
+        const bool sticks = mag(stopping) <= mu*Jn;
+        const vector Jt
+        (
+            sticks ? stopping : (mu*Jn/mag(stopping))*stopping
+        );
+
+        law.see
+        (
+            mag(P - Jn*p.touch().n - Jt)
+           /(before.normalMass()*before.speedScale())
+        );
+        sticks ? ++nStuck : ++nSlid;
+    }
+
+    both.count(nStuck > 300 && nSlid > 300);
+    law.settle();
+    both.settle();
 }
 
 
