@@ -17,8 +17,8 @@ namespace cghs
     addToRunTimeSelectionTable(correctionModel, velocityCorrection, dictionary);
 
     // See the header
-    constexpr scalar fresh = 4;
-    constexpr scalar resting = 3;
+    constexpr scalar fresh = 1;
+    constexpr scalar resting = 12;
 
 
     //- Friction of a push, which ends the slip at most: what one sweep throws

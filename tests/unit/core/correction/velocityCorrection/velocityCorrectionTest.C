@@ -240,7 +240,7 @@ TEST_CASE("The push is the share of the overlap and that of the approach, unless
         const scalar after = partingSpeed(p.touch(), p.view());
 
         const scalar limit = p.touch().overlap/dt;
-        const bool blow = vn < -4*limit;
+        const bool blow = vn < -limit;
         const scalar scale = mag(before0) + mag(before1) + limit;
         const vector change
         (
@@ -274,7 +274,7 @@ TEST_CASE("velocityShare 1 alone stops an approach, and no more",
 
         // Slow enough to be no impact
         const scalar room = max(p.touch().overlap, scalar(0))/deltaT;
-        p.setNormalSpeed(-random.between(0, 4)*room);
+        p.setNormalSpeed(-random.between(0, 1)*room);
         const scalar scale = before + p.speedScale();
         sweep(*model, 0, p, deltaT);
 
