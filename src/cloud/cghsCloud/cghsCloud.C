@@ -675,6 +675,11 @@ void Foam::cghs::cghsCloud::completeStep
     }
 
     suspension_->complete(parcels_, std::move(changes), deltaT);
+
+    if (cellDrag_.valid())
+    {
+        cellDrag_->finish(dU);
+    }
 }
 
 
@@ -754,7 +759,7 @@ Foam::tmp<Foam::volVectorField> Foam::cghs::cghsCloud::drag
     const scalar deltaT,
     const volVectorField& U,
     const volScalarField& rho
-) const
+)
 {
     addProfiling(mapping, "cghs::mapping");
 
@@ -774,22 +779,16 @@ Foam::tmp<Foam::volVectorField> Foam::cghs::cghsCloud::drag
         return F;
     }
 
-    const scalarField& V = mesh_.V();
-    tmp<volScalarField> b
+    tmp<volScalarField> A(dragResponse());
+    A.ref() += rho*(1 - theta_())/dimensionedScalar("dt", dimTime, deltaT);
+    cellDrag_->spread
     (
-        density
-        (
-            "cellDrag",
-            min
-            (
-                suspension_->drag(),
-                suspension_->response()
-              + V*rho.primitiveField()*(1 - theta_().primitiveField())/deltaT
-            )(),
-            dimDensity/dimTime
-        )
+        F.ref(),
+        U,
+        metU_(),
+        density("cellDrag", suspension_->drag(), dimDensity/dimTime)(),
+        A
     );
-    cellDrag_->spread(F.ref(), U, metU_(), b.ref());
 
     return F;
 }
