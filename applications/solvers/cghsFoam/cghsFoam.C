@@ -116,10 +116,13 @@ int main(int argc, char *argv[])
                 parcels.yieldToVelocity(),
                 parcels.yieldToGradient()
             );
+
+            const volScalarField response(parcels.dragResponse());
+
             fluid->solve
             (
-                parcels.drag(deltaT, fluid->U(), fluid->rho()),
-                parcels.dragResponse()
+                parcels.drag(deltaT, fluid->U(), fluid->rho(), response),
+                response
             );
         }
         else if (withFluid)

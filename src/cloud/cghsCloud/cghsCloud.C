@@ -758,7 +758,8 @@ Foam::tmp<Foam::volVectorField> Foam::cghs::cghsCloud::drag
 (
     const scalar deltaT,
     const volVectorField& U,
-    const volScalarField& rho
+    const volScalarField& rho,
+    const volScalarField& response
 )
 {
     addProfiling(mapping, "cghs::mapping");
@@ -779,15 +780,14 @@ Foam::tmp<Foam::volVectorField> Foam::cghs::cghsCloud::drag
         return F;
     }
 
-    tmp<volScalarField> A(dragResponse());
-    A.ref() += rho*(1 - theta_())/dimensionedScalar("dt", dimTime, deltaT);
     cellDrag_->spread
     (
         F.ref(),
         U,
         metU_(),
         density("cellDrag", suspension_->drag(), dimDensity/dimTime)(),
-        A
+        response
+      + rho*(1 - theta_())/dimensionedScalar("dt", dimTime, deltaT)
     );
 
     return F;
