@@ -539,6 +539,7 @@ int main(int argc, char *argv[])
         parcels.ids[i] = i;
     }
 
+    removeParcels(mesh, cloudName);
     writeParcels
     (
         mesh,
@@ -549,8 +550,9 @@ int main(int argc, char *argv[])
         runTime.writeCompression()
     );
 
-    // Whoever reads them can tell that all are there
-    dictionary flows(readFlows(mesh, cloudName));
+    // Whoever reads them can tell that all are there. What has been before, as
+    // feeders have counted it, is no more
+    dictionary flows;
     flows.set("nParcels", parcels.size());
     writeFlows(mesh, cloudName, flows);
 

@@ -60,6 +60,20 @@ void Foam::cghs::arena::add(column& c)
 
 void Foam::cghs::arena::addProperty(property& p)
 {
+    const wordList taken
+    ({
+        "positions", "coordinates", "position", "U", "d", "rho", "nParticle",
+        "dParcel", "origId", "origProcId", "contactPartners", "contactMemories"
+    });
+
+    if (taken.found(p.name()))
+    {
+        FatalErrorInFunction
+            << "A property of the parcels cannot have the name " << p.name()
+            << ": each has a file of that name. Others are " << taken << nl
+            << exit(FatalError);
+    }
+
     for (const property* other : properties_)
     {
         if (other->name() == p.name())

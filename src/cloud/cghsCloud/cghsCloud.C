@@ -268,14 +268,16 @@ Foam::cghs::cghsCloud::cghsCloud
         parcels_.add(contacts_.formerIndices());
     }
 
-    readParcels
-    (
-        mesh,
-        name,
-        properties_.subDict("constantProperties"),
-        parcels_
-    );
-    if (contacts_.remembers())
+    const dictionary flows(readFlows(mesh, name));
+    const bool sameIds =
+        readParcels
+        (
+            mesh,
+            name,
+            properties_.subDict("constantProperties"),
+            parcels_
+        );
+    if (sameIds && contacts_.understands(flows.subOrEmptyDict("contacts")))
     {
         readMemories(*this, parcels_, contacts_);
     }
@@ -289,7 +291,7 @@ Foam::cghs::cghsCloud::cghsCloud
 
     state_ = transport_.survey(parcels_);
     contacts_.expect(largestSpeed());
-    setFlows(readFlows(mesh, name));
+    setFlows(flows);
 }
 
 
@@ -959,8 +961,12 @@ void Foam::cghs::cghsCloud::checkCount(const dictionary& flows) const
             << "Cloud " << name() << ": " << written << " parcels were written,"
             << " but " << found << " are found" << nl
             << "Is a folder " << mesh_.time().timeName()/cloud::prefix/name()
-            << " or a file in it missing, on one of the ranks? Restore it, or"
-            << " restart from an earlier time" << nl
+            << (
+                   found < written
+                 ? " or a file in it missing, on one of the ranks? Restore it,"
+                 : " left over from another run, on one of the ranks? Remove it,"
+               )
+            << " or restart from an earlier time" << nl
             << "If parcels were added or taken out on purpose remove the entry"
             << " nParcels" << nl
             << exit(FatalIOError);

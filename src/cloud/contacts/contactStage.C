@@ -402,7 +402,19 @@ Foam::dictionary Foam::cghs::contactStage::state() const
     dictionary state;
     state.add("previousDeltaT", previousDeltaT_);
     state.add("maxSpeed", maxSpeed_);
+    if (remember_)
+    {
+        state.add("memoriesOf", model_->type());
+    }
     return state;
+}
+
+
+bool Foam::cghs::contactStage::understands(const dictionary& state) const
+{
+    return
+        remember_
+     && state.getOrDefault<word>("memoriesOf", word::null) == model_->type();
 }
 
 

@@ -94,6 +94,41 @@ static scalarField numbersOf(const memoryTransfer::remembered& r)
 }
 
 
+//- Stop if the memories of parcel i are not whole
+static void checkNumbers
+(
+    const objectRegistry& cloud,
+    const label i,
+    const labelUList& partners,
+    const UList<scalar>& numbers
+)
+{
+    bool whole = numbers.size() == nNumbers*partners.size();
+
+    for (const scalar x : numbers)
+    {
+        whole = whole && mag(x) < GREAT;
+    }
+
+    if (!whole)
+    {
+        FatalIOError
+        (
+            "readMemories",
+            __FILE__,
+            __LINE__,
+            memoryIO(cloud, "contactMemories", IOobject::NO_READ).objectPath()
+        )
+            << "Parcel " << i << " has " << numbers.size() << " numbers for "
+            << partners.size() << " contacts, or one that is none; it must have "
+            << nNumbers << " for each" << nl
+            << "Restore the file, or remove it and contactPartners: contacts then"
+            << " begin without memory" << nl
+            << exit(FatalIOError);
+    }
+}
+
+
 static memoryTransfer::remembered remember
 (
     const label idA,
@@ -134,22 +169,32 @@ void Foam::cghs::readMemories
         readLists<scalarFieldCompactIOField>(cloud, "contactMemories", n)
     );
 
+    // On all ranks alike: those without parcels have neither
+    if (partners.empty() != memories.empty() || (n && partners.empty()))
+    {
+        WarningInFunction
+            << "Contacts of cloud " << cloud.name() << " begin without memory:"
+            << " contactPartners or contactMemories are missing in "
+            << memoryIO(cloud, "contactPartners", IOobject::NO_READ).path() << nl
+            << endl;
+        return;
+    }
+
     forAll(partners, i)
     {
+        checkNumbers(cloud, i, partners[i], memories[i]);
+
         forAll(partners[i], k)
         {
-            if (memories.size() && memories[i].size() >= (k + 1)*nNumbers)
-            {
-                contacts.adopt
+            contacts.adopt
+            (
+                remember
                 (
-                    remember
-                    (
-                        parcels.ids[i],
-                        partners[i][k],
-                        &memories[i][k*nNumbers]
-                    )
-                );
-            }
+                    parcels.ids[i],
+                    partners[i][k],
+                    &memories[i][k*nNumbers]
+                )
+            );
         }
     }
 }

@@ -9,6 +9,9 @@
 #include "fileOperation.H"
 #include "PstreamReduceOps.H"
 #include "SubList.H"
+#include "globalIndex.H"
+#include "HashSet.H"
+#include "OSspecific.H"
 #include "Time.H"
 
 #include <cmath>
@@ -501,6 +504,39 @@ public:
 };
 
 
+//- Give the parcels numbers of their own if theirs do not tell them apart.
+//  Returns whether they do
+static bool checkIds(const passiveParticleCloud& files, arena& parcels)
+{
+    labelHashSet seen(2*parcels.size());
+    bool apart = true;
+
+    for (label i = 0; i < parcels.size(); ++i)
+    {
+        apart = seen.insert(parcels.ids[i]) && parcels.ids[i] >= 0 && apart;
+    }
+
+    if (returnReduce(apart, andOp<bool>()))
+    {
+        return true;
+    }
+
+    const globalIndex numbers(parcels.size());
+
+    for (label i = 0; i < parcels.size(); ++i)
+    {
+        parcels.ids[i] = numbers.toGlobal(i);
+    }
+
+    WarningInFunction
+        << "The numbers of the parcels in " << pathOf(files, "origId")
+        << " do not tell them apart: they are given new ones, and contacts begin"
+        << " without memory" << nl << endl;
+
+    return false;
+}
+
+
 static void readProperties
 (
     const passiveParticleCloud& files,
@@ -535,7 +571,7 @@ static void readProperties
 } // End namespace Foam
 
 
-void Foam::cghs::readParcels
+bool Foam::cghs::readParcels
 (
     const polyMesh& mesh,
     const word& cloudName,
@@ -558,7 +594,7 @@ void Foam::cghs::readParcels
     }
     if (returnReduce(n, sumOp<label>()) == 0)
     {
-        return;
+        return true;
     }
 
     const scalarField d(readSize(files, "d"));
@@ -603,6 +639,26 @@ void Foam::cghs::readParcels
     {
         parcels.spheres[i].x = x[i];
     }
+
+    return checkIds(files, parcels);
+}
+
+
+void Foam::cghs::removeParcels(const polyMesh& mesh, const word& cloudName)
+{
+    // Ranks that share a file have an empty one
+    if (!Pstream::parRun() || fileHandler().type() == "uncollated")
+    {
+        const fileName folder
+        (
+            mesh.time().timePath()/cloud::prefix/cloudName
+        );
+
+        if (isDir(folder))
+        {
+            rmDir(folder);
+        }
+    }
 }
 
 
@@ -616,6 +672,12 @@ void Foam::cghs::writeParcels
     IOstream::compressionType cmp
 )
 {
+    // Nobody overwrites what a run before has left
+    if (parcels.size() == 0)
+    {
+        removeParcels(mesh, cloudName);
+    }
+
     passiveParticleCloud files(mesh, cloudName, IDLList<passiveParticle>());
 
     for (label i = 0; i < parcels.size(); ++i)
