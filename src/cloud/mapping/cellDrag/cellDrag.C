@@ -171,8 +171,8 @@ void Foam::cghs::cellDrag::spread
     mapping_.spread(B);
 
     const bool stiff = gMax((B - A())().primitiveField()) > 0;
-    volVectorField w("felt", smoothU);
-    w == U;
+    tmp<volVectorField> felt(U);
+    tmp<volVectorField> smoothed(smoothU);
 
     if (stiff || forces_.valid())
     {
@@ -180,13 +180,18 @@ void Foam::cghs::cellDrag::spread
     }
     if (stiff)
     {
-        solve(w, otherForces(F), b, B);
+        auto w = tmp<volVectorField>::New("felt", smoothU);
+        w.ref() == U;
+        solve(w.ref(), otherForces(F), b, B);
+
+        felt = w;
+        smoothed = smooth(felt());
     }
 
-    F -= stiff ? ofShares(smooth(w), b) : ofShares(smoothU, b);
+    F -= ofShares(smoothed(), b);
     F.correctBoundaryConditions();
     mapping_.spread(F);
-    F += B*w;
+    F += B*felt();
 
     if (stiff && !forces_.valid())
     {
