@@ -52,13 +52,10 @@ int main(int argc, char *argv[])
 
     #include "createFields.H"
 
-    const bool twoWay = parcels.coupling() == cghsCloud::couplingType::twoWay;
     const bool withFluid = fluid.valid();
 
     stepReport report(parcels, runTime);
     progress pace(runTime);
-
-    bool parcelsBefore = true;
 
     Info<< nl << "Starting time loop" << nl << endl;
 
@@ -81,61 +78,24 @@ int main(int argc, char *argv[])
         const scalar deltaT = runTime.deltaTValue();
 
 
-        // ---- Parcels: feeding, suspension, contact, transport -------------
+        // ---- Parcels: feeding, exchange, contact, transport ---------------
 
         parcels.feed(deltaT);
 
-        // Where there are none, nothing is exchanged. The step after they have
-        // gone, and the first, set the voidage right.
-        const bool present = !parcels.empty();
-        const bool suspended = withFluid && (present || parcelsBefore);
-        parcelsBefore = present;
-
-        if (suspended)
+        if (withFluid)
         {
-            parcels.meetFluid
-            (
-                fluid->U(),
-                fluid->gradP(),
-                fluid->alpha(),
-                fluid->rho(),
-                fluid->mu()
-            );
+            parcels.meet(fluid());
         }
 
         parcels.evolve(deltaT);
 
 
-        // ---- Fluid: voidage, momentum, pressure ---------------------------
+        // ---- Fluid: voidage, momentum, pressure; what the parcels answer --
 
-        if (suspended && twoWay)
+        if (withFluid)
         {
-            fluid->setSolids(parcels.solidsFraction());
-            fluid->setYield
-            (
-                parcels.yieldToVelocity(),
-                parcels.yieldToGradient()
-            );
-
-            const volScalarField response(parcels.dragResponse());
-
-            fluid->solve
-            (
-                parcels.drag(deltaT, fluid->U(), fluid->rho(), response),
-                response
-            );
-        }
-        else if (withFluid)
-        {
-            fluid->solve();
-        }
-
-
-        // ---- Parcels: what the fluid did with their impulse ---------------
-
-        if (suspended)
-        {
-            parcels.completeStep(fluid->dU(), fluid->dGradP(), deltaT);
+            fluid->solve(parcels);
+            parcels.complete(fluid(), deltaT);
         }
 
 

@@ -237,7 +237,8 @@ Foam::cghs::cghsCloud::cghsCloud
     ),
     wallMotion_(mesh),
     feeding_(properties_, parcels_, mesh),
-    suspended_(false)
+    present_(true),
+    exchanging_(false)
 {
     checkEntries();
     makeValves();
@@ -578,11 +579,10 @@ void Foam::cghs::cghsCloud::evolve(const scalar deltaT)
         e.evolve(parcels_, deltaT);
     }
 
-    if (suspended_ && coupling_ == couplingType::twoWay)
+    if (loads())
     {
         loadCells(deltaT);
     }
-    suspended_ = false;
 
     log_.nListBuilds = contacts_.nBuilds();
     log_.maxOverlap = returnReduce(contacts_.maxOverlap(), maxOp<scalar>());
@@ -592,35 +592,36 @@ void Foam::cghs::cghsCloud::evolve(const scalar deltaT)
 
 // * * * * * * * * * * * * * * * * The fluid * * * * * * * * * * * * * * * * //
 
-void Foam::cghs::cghsCloud::meetFluid
-(
-    const volVectorField& U,
-    const volVectorField& gradP,
-    const volScalarField& alpha,
-    const volScalarField& rho,
-    const volScalarField& mu
-)
+void Foam::cghs::cghsCloud::meet(carrierFluid& fluid)
 {
+    const bool before = present_;
+    present_ = !empty();
+    exchanging_ = present_ || before;
+
+    if (!exchanging_)
+    {
+        return;
+    }
+
     addProfiling(mapping, "cghs::mapping");
 
-    tmp<volVectorField> tu(smooth(U));
-    const tmp<volVectorField> tgrad(smooth(gradP));
-    List<carrier> fluid(mesh_.nCells());
+    tmp<volVectorField> tu(smooth(fluid.U()));
+    const tmp<volVectorField> tgrad(smooth(fluid.gradP()));
+    List<carrier> byCell(mesh_.nCells());
 
-    forAll(fluid, celli)
+    forAll(byCell, celli)
     {
-        fluid[celli] = carrier
+        byCell[celli] = carrier
         (
             tu()[celli],
             tgrad()[celli],
-            alpha[celli],
-            rho[celli],
-            mu[celli]
+            fluid.alpha()[celli],
+            fluid.rho()[celli],
+            fluid.mu()[celli]
         );
     }
 
-    suspension_->meet(parcels_, std::move(fluid));
-    suspended_ = true;
+    suspension_->meet(parcels_, std::move(byCell));
 
     if (cellDrag_.valid())
     {
@@ -658,17 +659,22 @@ Foam::tmp<Foam::volVectorField> Foam::cghs::cghsCloud::smooth
 }
 
 
-void Foam::cghs::cghsCloud::completeStep
+void Foam::cghs::cghsCloud::complete
 (
-    const volVectorField& dU,
-    const volVectorField& dGradP,
+    const carrierFluid& fluid,
     const scalar deltaT
 )
 {
+    if (!exchanging_)
+    {
+        return;
+    }
+
     addProfiling(complete, "cghs::complete");
 
-    const tmp<volVectorField> tdU(smooth(dU));
-    const tmp<volVectorField> tdGradP(smooth(dGradP));
+    const tmp<volVectorField> dU(fluid.dU());
+    const tmp<volVectorField> tdU(smooth(dU()));
+    const tmp<volVectorField> tdGradP(smooth(fluid.dGradP()()));
     List<change> changes(mesh_.nCells());
 
     forAll(changes, celli)
@@ -680,8 +686,9 @@ void Foam::cghs::cghsCloud::completeStep
 
     if (cellDrag_.valid())
     {
-        cellDrag_->finish(dU);
+        cellDrag_->finish(dU());
     }
+    exchanging_ = false;
 }
 
 

@@ -604,6 +604,27 @@ void Foam::cghs::fluidModel::solve()
 }
 
 
+void Foam::cghs::fluidModel::solve(cghsCloud& parcels)
+{
+    if (!parcels.loads())
+    {
+        solve();
+        return;
+    }
+
+    setSolids(parcels.solidsFraction());
+    setYield(parcels.yieldToVelocity(), parcels.yieldToGradient());
+
+    const volScalarField response(parcels.dragResponse());
+
+    solve
+    (
+        parcels.drag(mesh_.time().deltaTValue(), U_, rho(), response),
+        response
+    );
+}
+
+
 Foam::scalar Foam::cghs::fluidModel::totalSource() const
 {
     return source_.valid() ? fvc::domainIntegrate(source_()).value() : 0;
@@ -629,6 +650,24 @@ const Foam::volVectorField& Foam::cghs::fluidModel::gradP()
     gradP_ = gradPNow();
 
     return gradP_;
+}
+
+
+const Foam::volScalarField&
+Foam::cghs::fluidModel::field(const word& name) const
+{
+    FatalErrorInFunction
+        << "The fluid has no field " << name << nl
+        << exit(FatalError);
+
+    return alpha_;
+}
+
+
+Foam::tmp<Foam::volScalarField>
+Foam::cghs::fluidModel::change(const word& name) const
+{
+    return field(name) - field(name).oldTime();
 }
 
 
