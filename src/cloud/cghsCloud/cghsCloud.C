@@ -11,7 +11,6 @@
 #include "checkedEntry.H"
 #include "knownEntries.H"
 #include "profiling.H"
-#include "zeroGradientFvPatchFields.H"
 #include "PstreamReduceOps.H"
 #include "SubField.H"
 #include "Time.H"
@@ -237,6 +236,7 @@ Foam::cghs::cghsCloud::cghsCloud
     ),
     wallMotion_(mesh),
     feeding_(properties_, parcels_, mesh),
+    momentum_(nullptr),
     present_(true),
     exchanging_(false)
 {
@@ -298,29 +298,23 @@ Foam::cghs::cghsCloud::cghsCloud
 
 void Foam::cghs::cghsCloud::enterFluid()
 {
-    mapping_ = mappingModel::New(subModels(), mesh_, largestDiameter());
+    const bool twoWay = coupling_ == couplingType::twoWay;
 
-    suspension_.reset
+    momentum_ = new momentum
     (
-        new suspension(subModels(), g_, mesh_.nCells(), mapping_->kernels())
+        subModels(),
+        mesh_,
+        name(),
+        g_,
+        largestDiameter(),
+        twoWay ? scalarInRange(solution(), "minVoidage", 0.01, 1) : 0
     );
-    suspension_->addColumns(parcels_);
+    exchanges_.append(momentum_);
+    momentum_->addColumns(parcels_);
 
-    if (coupling_ == couplingType::twoWay)
+    if (twoWay)
     {
-        limit_.reset
-        (
-            new solidsLimit
-            (
-                mesh_,
-                1 - scalarInRange(solution(), "minVoidage", 0.01, 1)
-            )
-        );
-        if (mapping_->kernels())
-        {
-            cellDrag_.reset(new cellDrag(mesh_, mapping_()));
-        }
-        loadCells(0);
+        momentum_->leave(parcels_, 0);
     }
 }
 
@@ -488,7 +482,14 @@ void Foam::cghs::cghsCloud::solidsStep
     {
         addProfiling(suspension, "cghs::suspension");
 
-        suspension_.valid() ? suspension_->kick(parcels_, half) : fall(half);
+        if (!momentum_)
+        {
+            fall(half);
+        }
+        for (cghs::exchange& e : exchanges_)
+        {
+            e.kick(parcels_, half);
+        }
     }
 
     contacts_.impacts(parcels_, deltaT);
@@ -496,9 +497,14 @@ void Foam::cghs::cghsCloud::solidsStep
     {
         addProfiling(suspension, "cghs::suspension");
 
-        suspension_.valid()
-      ? suspension_->kickAgain(parcels_, half, last, fluidDeltaT)
-      : fall(half);
+        if (!momentum_)
+        {
+            fall(half);
+        }
+        for (cghs::exchange& e : exchanges_)
+        {
+            e.kickAgain(parcels_, half, last, fluidDeltaT);
+        }
     }
 
     contacts_.correct(parcels_, deltaT);
@@ -541,11 +547,6 @@ void Foam::cghs::cghsCloud::evolve(const scalar deltaT)
         );
     }
 
-    if (suspension_.valid())
-    {
-        suspension_->startFluidStep();
-    }
-
     scalar remaining = deltaT;
 
     while (remaining > 0)
@@ -577,13 +578,14 @@ void Foam::cghs::cghsCloud::evolve(const scalar deltaT)
     for (cghs::exchange& e : exchanges_)
     {
         e.evolve(parcels_, deltaT);
+
+        if (loads())
+        {
+            e.leave(parcels_, deltaT);
+        }
     }
 
-    if (loads())
-    {
-        loadCells(deltaT);
-    }
-
+    log_.nCrowdedCells = loads() ? momentum_->nCrowdedCells() : 0;
     log_.nListBuilds = contacts_.nBuilds();
     log_.maxOverlap = returnReduce(contacts_.maxOverlap(), maxOp<scalar>());
     log_.correctionWork =
@@ -603,59 +605,24 @@ void Foam::cghs::cghsCloud::meet(carrierFluid& fluid)
         return;
     }
 
-    addProfiling(mapping, "cghs::mapping");
-
-    tmp<volVectorField> tu(smooth(fluid.U()));
-    const tmp<volVectorField> tgrad(smooth(fluid.gradP()));
-    List<carrier> byCell(mesh_.nCells());
-
-    forAll(byCell, celli)
+    for (cghs::exchange& e : exchanges_)
     {
-        byCell[celli] = carrier
-        (
-            tu()[celli],
-            tgrad()[celli],
-            fluid.alpha()[celli],
-            fluid.rho()[celli],
-            fluid.mu()[celli]
-        );
-    }
-
-    suspension_->meet(parcels_, std::move(byCell));
-
-    if (cellDrag_.valid())
-    {
-        metU_ = tu;
+        e.meet(parcels_, fluid);
     }
 }
 
 
-Foam::tmp<Foam::volVectorField> Foam::cghs::cghsCloud::smooth
-(
-    const volVectorField& field
-) const
+Foam::cghs::exchangeTerms
+Foam::cghs::cghsCloud::terms(const word& quantity) const
 {
-    // Coupled patches carry on; elsewhere nothing is passed anyway
-    auto result = tmp<volVectorField>::New
-    (
-        IOobject
-        (
-            "smooth(" + field.name() + ')',
-            mesh_.time().timeName(),
-            mesh_,
-            IOobject::NO_READ,
-            IOobject::NO_WRITE,
-            false
-        ),
-        mesh_,
-        dimensionedVector(field.dimensions(), Zero)
-    );
+    exchangeTerms sum;
 
-    result.ref().primitiveFieldRef() = field.primitiveField();
-    result.ref().correctBoundaryConditions();
-    mapping_->spread(result.ref());
+    for (const cghs::exchange& e : exchanges_)
+    {
+        sum.add(e.terms(quantity));
+    }
 
-    return result;
+    return sum;
 }
 
 
@@ -670,177 +637,11 @@ void Foam::cghs::cghsCloud::complete
         return;
     }
 
-    addProfiling(complete, "cghs::complete");
-
-    const tmp<volVectorField> dU(fluid.dU());
-    const tmp<volVectorField> tdU(smooth(dU()));
-    const tmp<volVectorField> tdGradP(smooth(fluid.dGradP()()));
-    List<change> changes(mesh_.nCells());
-
-    forAll(changes, celli)
+    for (cghs::exchange& e : exchanges_)
     {
-        changes[celli] = change(tdU()[celli], tdGradP()[celli]);
-    }
-
-    suspension_->complete(parcels_, std::move(changes), deltaT);
-
-    if (cellDrag_.valid())
-    {
-        cellDrag_->finish(dU());
+        e.complete(parcels_, fluid, deltaT);
     }
     exchanging_ = false;
-}
-
-
-template<class Type>
-Foam::tmp<Foam::GeometricField<Type, Foam::fvPatchField, Foam::volMesh>>
-Foam::cghs::cghsCloud::density
-(
-    const word& name,
-    const Field<Type>& sums,
-    const dimensionSet& dimensions
-) const
-{
-    auto result =
-        tmp<GeometricField<Type, fvPatchField, volMesh>>::New
-        (
-            IOobject
-            (
-                this->name() + ':' + name,
-                mesh_.time().timeName(),
-                mesh_,
-                IOobject::NO_READ,
-                IOobject::NO_WRITE,
-                false
-            ),
-            mesh_,
-            dimensioned<Type>(dimensions, Zero),
-            zeroGradientFvPatchField<Type>::typeName
-        );
-
-    result.ref().primitiveFieldRef() = sums/mesh_.V();
-    result.ref().correctBoundaryConditions();
-
-    return result;
-}
-
-
-template<class Type>
-Foam::tmp<Foam::GeometricField<Type, Foam::fvPatchField, Foam::volMesh>>
-Foam::cghs::cghsCloud::spreadDensity
-(
-    const word& name,
-    const Field<Type>& sums,
-    const dimensionSet& dimensions
-) const
-{
-    auto result = density(name, sums, dimensions);
-    mapping_->spread(result.ref());
-
-    return result;
-}
-
-
-void Foam::cghs::cghsCloud::loadCells(const scalar fluidDeltaT)
-{
-    addProfiling(mapping, "cghs::mapping");
-
-    suspension_->load(parcels_, fluidDeltaT);
-
-    theta_ = spreadDensity("theta", suspension_->volume(), dimless);
-    log_.nCrowdedCells = limit_->bound(theta_.ref());
-}
-
-
-Foam::tmp<Foam::volScalarField> Foam::cghs::cghsCloud::noSolids() const
-{
-    return spreadDensity
-    (
-        "theta",
-        scalarField(mesh_.nCells(), Zero),
-        dimless
-    );
-}
-
-
-Foam::tmp<Foam::volVectorField> Foam::cghs::cghsCloud::drag
-(
-    const scalar deltaT,
-    const volVectorField& U,
-    const volScalarField& rho,
-    const volScalarField& response
-)
-{
-    addProfiling(mapping, "cghs::mapping");
-
-    tmp<volVectorField> F
-    (
-        density
-        (
-            "drag",
-            vectorField(suspension_->impulse()/deltaT),
-            dimForce/dimVolume
-        )
-    );
-
-    if (!cellDrag_.valid())
-    {
-        mapping_->spread(F.ref());
-        return F;
-    }
-
-    cellDrag_->spread
-    (
-        F.ref(),
-        U,
-        metU_(),
-        density("cellDrag", suspension_->drag(), dimDensity/dimTime)(),
-        response
-      + rho*(1 - theta_())/dimensionedScalar("dt", dimTime, deltaT)
-    );
-
-    return F;
-}
-
-
-Foam::tmp<Foam::volScalarField> Foam::cghs::cghsCloud::dragResponse() const
-{
-    addProfiling(mapping, "cghs::mapping");
-
-    return spreadDensity
-    (
-        "dragResponse",
-        suspension_->response(),
-        dimDensity/dimTime
-    );
-}
-
-
-Foam::tmp<Foam::volScalarField>
-Foam::cghs::cghsCloud::yieldToVelocity() const
-{
-    addProfiling(mapping, "cghs::mapping");
-
-    return spreadDensity
-    (
-        "yieldToVelocity",
-        suspension_->yieldToVelocity(),
-        dimless
-    );
-}
-
-
-Foam::tmp<Foam::volScalarField>
-Foam::cghs::cghsCloud::yieldToGradient() const
-{
-    addProfiling(mapping, "cghs::mapping");
-
-    return spreadDensity
-    (
-        "yieldToGradient",
-        suspension_->yieldToGradient(),
-        dimTime/dimDensity
-    );
 }
 
 // * * * * * * * * * * * * * * * * Reports * * * * * * * * * * * * * * * * * //
@@ -953,6 +754,18 @@ Foam::dictionary Foam::cghs::cghsCloud::flows() const
     feeding_.state(flows);
     flows.add("diameterTime", state_.diameterTime);
     flows.add("contacts", contacts_.state());
+
+    dictionary states;
+    for (const cghs::exchange& e : exchanges_)
+    {
+        dictionary state;
+        e.state(state);
+        if (!state.empty())
+        {
+            states.add(e.type(), state);
+        }
+    }
+    flows.add("exchanges", states);
     return flows;
 }
 
@@ -1003,6 +816,12 @@ void Foam::cghs::cghsCloud::setFlows(const dictionary& flows)
     feeding_.setState(flows);
     flows.readIfPresent("diameterTime", state_.diameterTime);
     contacts_.setState(flows.subOrEmptyDict("contacts"));
+
+    const dictionary states(flows.subOrEmptyDict("exchanges"));
+    for (cghs::exchange& e : exchanges_)
+    {
+        e.setState(states.subOrEmptyDict(e.type()));
+    }
 }
 
 

@@ -41,8 +41,8 @@ static tmp<volScalarField> solidsMet(const cghsCloud& parcels)
 {
     return
         parcels.coupling() == cghsCloud::couplingType::twoWay
-      ? parcels.solidsFraction()
-      : parcels.noSolids();
+      ? parcels.momentumExchange().solidsFraction()
+      : parcels.momentumExchange().noSolids();
 }
 
 } // End namespace cghs
@@ -612,14 +612,16 @@ void Foam::cghs::fluidModel::solve(cghsCloud& parcels)
         return;
     }
 
-    setSolids(parcels.solidsFraction());
-    setYield(parcels.yieldToVelocity(), parcels.yieldToGradient());
+    momentum& solids = parcels.momentumExchange();
 
-    const volScalarField response(parcels.dragResponse());
+    setSolids(solids.solidsFraction());
+    setYield(solids.yieldToVelocity(), solids.yieldToGradient());
+
+    const volScalarField response(solids.dragResponse());
 
     solve
     (
-        parcels.drag(mesh_.time().deltaTValue(), U_, rho(), response),
+        solids.drag(mesh_.time().deltaTValue(), U_, rho(), response),
         response
     );
 }

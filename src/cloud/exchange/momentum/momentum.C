@@ -1,0 +1,292 @@
+/*---------------------------------------------------------------------------*\
+    cghsFoam | coarse-grained hard spheres in OpenFOAM
+    GPL-3.0-or-later, see LICENSE
+\*---------------------------------------------------------------------------*/
+
+#include "momentum.H"
+#include "profiling.H"
+#include "zeroGradientFvPatchFields.H"
+#include "Time.H"
+
+namespace Foam
+{
+namespace cghs
+{
+    defineTypeNameAndDebug(momentum, 0);
+}
+}
+
+
+Foam::cghs::momentum::momentum
+(
+    const dictionary& subModels,
+    const fvMesh& mesh,
+    const word& cloudName,
+    const vector& g,
+    const scalar parcelDiameter,
+    const scalar minVoidage
+)
+:
+    mesh_(mesh),
+    cloudName_(cloudName),
+    mapping_(mappingModel::New(subModels, mesh, parcelDiameter)),
+    suspension_(subModels, g, mesh.nCells(), mapping_->kernels()),
+    nCrowdedCells_(0)
+{
+    if (minVoidage > 0)
+    {
+        limit_.reset(new solidsLimit(mesh, 1 - minVoidage));
+
+        if (mapping_->kernels())
+        {
+            cellDrag_.reset(new cellDrag(mesh, mapping_()));
+        }
+    }
+}
+
+
+void Foam::cghs::momentum::addColumns(arena& parcels)
+{
+    suspension_.addColumns(parcels);
+}
+
+// * * * * * * * * * * * * * * * * The step  * * * * * * * * * * * * * * * * //
+
+void Foam::cghs::momentum::meet(const arena& parcels, carrierFluid& fluid)
+{
+    addProfiling(mapping, "cghs::mapping");
+
+    tmp<volVectorField> tu(smooth(fluid.U()));
+    const tmp<volVectorField> tgrad(smooth(fluid.gradP()));
+    List<carrier> byCell(mesh_.nCells());
+
+    forAll(byCell, celli)
+    {
+        byCell[celli] = carrier
+        (
+            tu()[celli],
+            tgrad()[celli],
+            fluid.alpha()[celli],
+            fluid.rho()[celli],
+            fluid.mu()[celli]
+        );
+    }
+
+    suspension_.startFluidStep();
+    suspension_.meet(parcels, std::move(byCell));
+
+    if (cellDrag_.valid())
+    {
+        metU_ = tu;
+    }
+}
+
+
+Foam::tmp<Foam::volVectorField> Foam::cghs::momentum::smooth
+(
+    const volVectorField& field
+) const
+{
+    // Coupled patches carry on; elsewhere nothing is passed anyway
+    auto result = tmp<volVectorField>::New
+    (
+        IOobject
+        (
+            "smooth(" + field.name() + ')',
+            mesh_.time().timeName(),
+            mesh_,
+            IOobject::NO_READ,
+            IOobject::NO_WRITE,
+            false
+        ),
+        mesh_,
+        dimensionedVector(field.dimensions(), Zero)
+    );
+
+    result.ref().primitiveFieldRef() = field.primitiveField();
+    result.ref().correctBoundaryConditions();
+    mapping_->spread(result.ref());
+
+    return result;
+}
+
+
+template<class Type>
+Foam::tmp<Foam::GeometricField<Type, Foam::fvPatchField, Foam::volMesh>>
+Foam::cghs::momentum::density
+(
+    const word& name,
+    const Field<Type>& sums,
+    const dimensionSet& dimensions
+) const
+{
+    auto result =
+        tmp<GeometricField<Type, fvPatchField, volMesh>>::New
+        (
+            IOobject
+            (
+                cloudName_ + ':' + name,
+                mesh_.time().timeName(),
+                mesh_,
+                IOobject::NO_READ,
+                IOobject::NO_WRITE,
+                false
+            ),
+            mesh_,
+            dimensioned<Type>(dimensions, Zero),
+            zeroGradientFvPatchField<Type>::typeName
+        );
+
+    result.ref().primitiveFieldRef() = sums/mesh_.V();
+    result.ref().correctBoundaryConditions();
+
+    return result;
+}
+
+
+template<class Type>
+Foam::tmp<Foam::GeometricField<Type, Foam::fvPatchField, Foam::volMesh>>
+Foam::cghs::momentum::spreadDensity
+(
+    const word& name,
+    const Field<Type>& sums,
+    const dimensionSet& dimensions
+) const
+{
+    auto result = density(name, sums, dimensions);
+    mapping_->spread(result.ref());
+
+    return result;
+}
+
+
+void Foam::cghs::momentum::leave(const arena& parcels, const scalar deltaT)
+{
+    addProfiling(mapping, "cghs::mapping");
+
+    suspension_.load(parcels, deltaT);
+
+    theta_ = spreadDensity("theta", suspension_.volume(), dimless);
+    nCrowdedCells_ = limit_->bound(theta_.ref());
+}
+
+
+void Foam::cghs::momentum::complete
+(
+    arena& parcels,
+    const carrierFluid& fluid,
+    const scalar deltaT
+)
+{
+    addProfiling(complete, "cghs::complete");
+
+    const tmp<volVectorField> dU(fluid.dU());
+    const tmp<volVectorField> tdU(smooth(dU()));
+    const tmp<volVectorField> tdGradP(smooth(fluid.dGradP()()));
+    List<change> changes(mesh_.nCells());
+
+    forAll(changes, celli)
+    {
+        changes[celli] = change(tdU()[celli], tdGradP()[celli]);
+    }
+
+    suspension_.complete(parcels, std::move(changes), deltaT);
+
+    if (cellDrag_.valid())
+    {
+        cellDrag_->finish(dU());
+    }
+}
+
+// * * * * * * * * * * * * * * What the fluid receives * * * * * * * * * * * //
+
+Foam::tmp<Foam::volScalarField> Foam::cghs::momentum::noSolids() const
+{
+    return spreadDensity
+    (
+        "theta",
+        scalarField(mesh_.nCells(), Zero),
+        dimless
+    );
+}
+
+
+Foam::tmp<Foam::volVectorField> Foam::cghs::momentum::drag
+(
+    const scalar deltaT,
+    const volVectorField& U,
+    const volScalarField& rho,
+    const volScalarField& response
+)
+{
+    addProfiling(mapping, "cghs::mapping");
+
+    tmp<volVectorField> F
+    (
+        density
+        (
+            "drag",
+            vectorField(suspension_.impulse()/deltaT),
+            dimForce/dimVolume
+        )
+    );
+
+    if (!cellDrag_.valid())
+    {
+        mapping_->spread(F.ref());
+        return F;
+    }
+
+    cellDrag_->spread
+    (
+        F.ref(),
+        U,
+        metU_(),
+        density("cellDrag", suspension_.drag(), dimDensity/dimTime)(),
+        response
+      + rho*(1 - theta_())/dimensionedScalar("dt", dimTime, deltaT)
+    );
+
+    return F;
+}
+
+
+Foam::tmp<Foam::volScalarField> Foam::cghs::momentum::dragResponse() const
+{
+    addProfiling(mapping, "cghs::mapping");
+
+    return spreadDensity
+    (
+        "dragResponse",
+        suspension_.response(),
+        dimDensity/dimTime
+    );
+}
+
+
+Foam::tmp<Foam::volScalarField>
+Foam::cghs::momentum::yieldToVelocity() const
+{
+    addProfiling(mapping, "cghs::mapping");
+
+    return spreadDensity
+    (
+        "yieldToVelocity",
+        suspension_.yieldToVelocity(),
+        dimless
+    );
+}
+
+
+Foam::tmp<Foam::volScalarField>
+Foam::cghs::momentum::yieldToGradient() const
+{
+    addProfiling(mapping, "cghs::mapping");
+
+    return spreadDensity
+    (
+        "yieldToGradient",
+        suspension_.yieldToGradient(),
+        dimTime/dimDensity
+    );
+}
