@@ -1,0 +1,40 @@
+/*---------------------------------------------------------------------------*\
+    cghsFoam | coarse-grained hard spheres in OpenFOAM
+    GPL-3.0-or-later, see LICENSE
+\*---------------------------------------------------------------------------*/
+
+#include "heatTransferModel.H"
+#include "knownEntries.H"
+#include "selectModel.H"
+
+namespace Foam
+{
+namespace cghs
+{
+    defineTypeNameAndDebug(heatTransferModel, 0);
+    defineRunTimeSelectionTable(heatTransferModel, dictionary);
+}
+}
+
+
+Foam::cghs::heatTransferModel::heatTransferModel(const dictionary& dict)
+{
+    warnUnknownEntries(dict, wordList());
+}
+
+
+Foam::autoPtr<Foam::cghs::heatTransferModel>
+Foam::cghs::heatTransferModel::New(const dictionary& subModels)
+{
+    return selectModel<heatTransferModel>
+    (
+        subModels,
+        *dictionaryConstructorTablePtr_
+    );
+}
+
+
+Foam::wordList Foam::cghs::heatTransferModel::names()
+{
+    return dictionaryConstructorTablePtr_->sortedToc();
+}
