@@ -578,14 +578,17 @@ void Foam::cghs::cghsCloud::evolve(const scalar deltaT)
     for (cghs::exchange& e : exchanges_)
     {
         e.evolve(parcels_, deltaT);
+    }
 
-        if (loads())
+    if (loads())
+    {
+        for (cghs::exchange& e : exchanges_)
         {
             e.leave(parcels_, deltaT);
         }
+        log_.nCrowdedCells = momentum_->nCrowdedCells();
     }
 
-    log_.nCrowdedCells = loads() ? momentum_->nCrowdedCells() : 0;
     log_.nListBuilds = contacts_.nBuilds();
     log_.maxOverlap = returnReduce(contacts_.maxOverlap(), maxOp<scalar>());
     log_.correctionWork =
@@ -609,20 +612,6 @@ void Foam::cghs::cghsCloud::meet(carrierFluid& fluid)
     {
         e.meet(parcels_, fluid);
     }
-}
-
-
-Foam::cghs::exchangeTerms
-Foam::cghs::cghsCloud::terms(const word& quantity) const
-{
-    exchangeTerms sum;
-
-    for (const cghs::exchange& e : exchanges_)
-    {
-        sum.add(e.terms(quantity));
-    }
-
-    return sum;
 }
 
 
@@ -765,7 +754,10 @@ Foam::dictionary Foam::cghs::cghsCloud::flows() const
             states.add(e.type(), state);
         }
     }
-    flows.add("exchanges", states);
+    if (!states.empty())
+    {
+        flows.add("exchanges", states);
+    }
     return flows;
 }
 

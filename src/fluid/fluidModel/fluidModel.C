@@ -655,24 +655,6 @@ const Foam::volVectorField& Foam::cghs::fluidModel::gradP()
 }
 
 
-const Foam::volScalarField&
-Foam::cghs::fluidModel::field(const word& name) const
-{
-    FatalErrorInFunction
-        << "The fluid has no field " << name << nl
-        << exit(FatalError);
-
-    return alpha_;
-}
-
-
-Foam::tmp<Foam::volScalarField>
-Foam::cghs::fluidModel::change(const word& name) const
-{
-    return field(name) - field(name).oldTime();
-}
-
-
 Foam::tmp<Foam::volVectorField> Foam::cghs::fluidModel::dU() const
 {
     return U_ - U_.oldTime();

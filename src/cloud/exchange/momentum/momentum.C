@@ -58,6 +58,9 @@ void Foam::cghs::momentum::meet(const arena& parcels, carrierFluid& fluid)
 
     tmp<volVectorField> tu(smooth(fluid.U()));
     const tmp<volVectorField> tgrad(smooth(fluid.gradP()));
+    const scalarField& alpha = fluid.alpha();
+    const scalarField& rho = fluid.rho();
+    const scalarField& mu = fluid.mu();
     List<carrier> byCell(mesh_.nCells());
 
     forAll(byCell, celli)
@@ -66,9 +69,9 @@ void Foam::cghs::momentum::meet(const arena& parcels, carrierFluid& fluid)
         (
             tu()[celli],
             tgrad()[celli],
-            fluid.alpha()[celli],
-            fluid.rho()[celli],
-            fluid.mu()[celli]
+            alpha[celli],
+            rho[celli],
+            mu[celli]
         );
     }
 
@@ -88,17 +91,9 @@ Foam::tmp<Foam::volVectorField> Foam::cghs::momentum::smooth
 ) const
 {
     // Coupled patches carry on; elsewhere nothing is passed anyway
-    auto result = tmp<volVectorField>::New
+    auto result = volVectorField::New
     (
-        IOobject
-        (
-            "smooth(" + field.name() + ')',
-            mesh_.time().timeName(),
-            mesh_,
-            IOobject::NO_READ,
-            IOobject::NO_WRITE,
-            false
-        ),
+        "smooth(" + field.name() + ')',
         mesh_,
         dimensionedVector(field.dimensions(), Zero)
     );
@@ -120,22 +115,13 @@ Foam::cghs::momentum::density
     const dimensionSet& dimensions
 ) const
 {
-    auto result =
-        tmp<GeometricField<Type, fvPatchField, volMesh>>::New
-        (
-            IOobject
-            (
-                cloudName_ + ':' + name,
-                mesh_.time().timeName(),
-                mesh_,
-                IOobject::NO_READ,
-                IOobject::NO_WRITE,
-                false
-            ),
-            mesh_,
-            dimensioned<Type>(dimensions, Zero),
-            zeroGradientFvPatchField<Type>::typeName
-        );
+    auto result = GeometricField<Type, fvPatchField, volMesh>::New
+    (
+        cloudName_ + ':' + name,
+        mesh_,
+        dimensioned<Type>(dimensions, Zero),
+        zeroGradientFvPatchField<Type>::typeName
+    );
 
     result.ref().primitiveFieldRef() = sums/mesh_.V();
     result.ref().correctBoundaryConditions();

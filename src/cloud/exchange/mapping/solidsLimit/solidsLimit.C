@@ -58,20 +58,9 @@ void Foam::cghs::solidsLimit::pass
     const scalar width
 ) const
 {
-    volScalarField moved
-    (
-        IOobject
-        (
-            "excess",
-            mesh_.time().timeName(),
-            mesh_,
-            IOobject::NO_READ,
-            IOobject::NO_WRITE,
-            false
-        ),
-        mesh_,
-        dimensionedScalar(dimless, Zero)
-    );
+    auto excesses =
+        volScalarField::New("excess", mesh_, dimensionedScalar(dimless, Zero));
+    volScalarField& moved = excesses.ref();
 
     forAll(moved, celli)
     {
