@@ -54,6 +54,8 @@ class tagged
     label nGuests_ = 0;
     label nWrong_ = 0;
 
+    label nSteps_ = 0;
+
 public:
 
     TypeName("tagged");
@@ -81,6 +83,7 @@ public:
     virtual void evolve(arena& parcels, const scalar)
     {
         const label n = parcels.size();
+        ++nSteps_;
 
         for (label i = 0; i < parcels.spheres.size(); ++i)
         {
@@ -95,7 +98,18 @@ public:
     virtual void report(const arena&, Ostream& os) const
     {
         os  << "guests seen: " << returnReduce(nGuests_, sumOp<label>())
-            << ", wrong: " << returnReduce(nWrong_, sumOp<label>()) << nl;
+            << ", wrong: " << returnReduce(nWrong_, sumOp<label>())
+            << ", steps counted: " << nSteps_ << nl;
+    }
+
+    virtual void state(dictionary& state) const
+    {
+        state.add("steps", nSteps_);
+    }
+
+    virtual void setState(const dictionary& state)
+    {
+        state.readIfPresent("steps", nSteps_);
     }
 };
 
