@@ -60,7 +60,7 @@ def foam(value):
 
 def ideal_gas(rho, mu, T=300, molWeight=28.96):
     """Parameters of an isothermal gas that has this density and viscosity."""
-    return {"fluid": "isothermalGas", "T": T, "molWeight": molWeight,
+    return {"fluid": "gas", "T": T, "molWeight": molWeight,
             "p": rho*8314.46/molWeight*T, "muGas": mu}
 
 

@@ -74,7 +74,7 @@ void Foam::cghs::cghsCloud::checkEntries() const
         wordList
         ({
             "coupling", "fluid", "maxDisplacement", "maxDeltaT",
-            "neighbourSkin", "minVoidage"
+            "neighbourSkin", "minVoidage", "transported", "energyCoeffs"
         })
     );
     wordList constants({"diameter", "density", "parcelWeight"});

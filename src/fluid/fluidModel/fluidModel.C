@@ -74,6 +74,10 @@ Foam::cghs::fluidModel::fluidModel
     ),
     piso_(mesh),
     g_(g),
+    transportedNames_
+    (
+        transported::selected(parcels.properties().subDict("solution"))
+    ),
     minVoidage_
     (
         scalarInRange
@@ -155,7 +159,7 @@ void Foam::cghs::fluidModel::checkPressure(const dimensionSet& wanted) const
             << typeName << " that is chosen" << nl
             << "Mend p, or choose another " << typeName
             << " in the solution of the cloud's properties: incompressible"
-            << " takes p over the density, isothermalGas p" << nl
+            << " takes p over the density, gas p" << nl
             << exit(FatalIOError);
     }
 }
@@ -304,10 +308,13 @@ Foam::cghs::fluidModel::New
     }
 
     const dictionary& solution = parcels.properties().subDict("solution");
-    const word modelType
-    (
-        solution.getOrDefault<word>(typeName, "incompressible")
-    );
+    word modelType(solution.getOrDefault<word>(typeName, "incompressible"));
+
+    // Its name when it could be nothing else
+    if (modelType == "isothermalGas")
+    {
+        modelType = "gas";
+    }
     const auto constructor = cloudConstructorTablePtr_->cfind(modelType);
 
     if (!constructor.found())
@@ -319,7 +326,14 @@ Foam::cghs::fluidModel::New
             << exit(FatalIOError);
     }
 
-    return constructor()(mesh, g, parcels);
+    autoPtr<fluidModel> fluid(constructor()(mesh, g, parcels));
+
+    for (const word& name : fluid->transportedNames_)
+    {
+        fluid->transported_.append(transported::New(name, solution, fluid()));
+    }
+
+    return fluid;
 }
 
 // * * * * * * * * * * * * * * * * The step  * * * * * * * * * * * * * * * * //
@@ -567,6 +581,11 @@ void Foam::cghs::fluidModel::solve(fvVectorMatrix& UEqn)
         gMax(mag(defect().primitiveField())())
        *mesh_.time().deltaTValue()/fullContent();
 
+    if (transported_.size())
+    {
+        keepFluxes();
+    }
+
     if (yield_.active())
     {
         yield_.finish();
@@ -606,24 +625,68 @@ void Foam::cghs::fluidModel::solve()
 
 void Foam::cghs::fluidModel::solve(cghsCloud& parcels)
 {
-    if (!parcels.loads())
+    if (parcels.loads())
+    {
+        momentum& solids = parcels.momentumExchange();
+
+        setSolids(solids.solidsFraction());
+        setYield(solids.yieldToVelocity(), solids.yieldToGradient());
+
+        const volScalarField response(solids.dragResponse());
+
+        solve
+        (
+            solids.drag(mesh_.time().deltaTValue(), U_, rho(), response),
+            response
+        );
+    }
+    else
     {
         solve();
-        return;
     }
 
-    momentum& solids = parcels.momentumExchange();
+    if (transported_.size())
+    {
+        solveTransported();
+    }
+}
 
-    setSolids(solids.solidsFraction());
-    setYield(solids.yieldToVelocity(), solids.yieldToGradient());
 
-    const volScalarField response(solids.dragResponse());
+void Foam::cghs::fluidModel::keepFluxes()
+{
+    massFlux_ = momentumDensity()*wholeFlux();
+    volumeFlux_ = alphaf_*phi_;
 
-    solve
-    (
-        solids.drag(mesh_.time().deltaTValue(), U_, rho(), response),
-        response
-    );
+    if (yield_.active())
+    {
+        volumeFlux_.ref() += yield_.flux();
+    }
+}
+
+
+void Foam::cghs::fluidModel::solveTransported()
+{
+    for (transported& quantity : transported_)
+    {
+        fluidFlow flow
+        {
+            alpha_, rho(), massFlux_(), volumeFlux_(), nullptr, options_
+        };
+
+        if (source_.valid())
+        {
+            flow.source = momentumDensity()*source_();
+        }
+
+        // ---- What parcels give: none yet, here theirs come in -------------
+        const exchangeTerms terms{};
+
+        quantity.solve(flow, terms);
+    }
+
+    massFlux_.clear();
+    volumeFlux_.clear();
+    transportedSolved();
 }
 
 
@@ -655,6 +718,56 @@ const Foam::volVectorField& Foam::cghs::fluidModel::gradP()
 }
 
 
+const Foam::cghs::transported&
+Foam::cghs::fluidModel::withField(const word& name) const
+{
+    wordList known;
+
+    for (const transported& quantity : transported_)
+    {
+        known.append(quantity.fieldNames());
+
+        if (known.found(name))
+        {
+            return quantity;
+        }
+    }
+
+    FatalErrorInFunction
+        << "The fluid has no field " << name << " for parcels" << nl
+        << "Known are: " << flatOutput(known) << nl
+        << "Name what has it in the entry " << transported::typeName
+        << " in the solution of the cloud's properties, e.g. (energy)" << nl
+        << exit(FatalError);
+
+    return transported_.first();
+}
+
+
+const Foam::volScalarField&
+Foam::cghs::fluidModel::field(const word& name) const
+{
+    return withField(name).field(name);
+}
+
+
+Foam::tmp<Foam::volScalarField>
+Foam::cghs::fluidModel::change(const word& name) const
+{
+    const transported& quantity = withField(name);
+
+    if (quantity.potential() != name)
+    {
+        FatalErrorInFunction
+            << "The change of " << name << " is not known, only that of "
+            << quantity.potential() << nl
+            << exit(FatalError);
+    }
+
+    return quantity.change();
+}
+
+
 Foam::tmp<Foam::volVectorField> Foam::cghs::fluidModel::dU() const
 {
     return U_ - U_.oldTime();
@@ -672,4 +785,9 @@ void Foam::cghs::fluidModel::report(Ostream& os) const
 {
     os  << "fluid:  Courant number " << courantNumber()
         << ", volume defect " << continuityError_ << nl;
+
+    for (const transported& quantity : transported_)
+    {
+        quantity.report(os);
+    }
 }

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "incompressibleFluid.H"
+#include "temperature.H"
 #include "fvm.H"
 #include "fvc.H"
 #include "adjustPhi.H"
@@ -151,7 +152,7 @@ Foam::cghs::incompressibleFluid::contentSource(fv::optionList& options)
             << "The fvOptions of alpha put " << total << " m^3/s of fluid into"
             << " a mesh that has no outlet for it" << nl
             << "Give p a value at a patch, let the sources add up to zero, or"
-            << " choose the fluid isothermalGas" << nl
+            << " choose the fluid gas" << nl
             << exit(FatalError);
     }
 
@@ -169,4 +170,62 @@ Foam::cghs::incompressibleFluid::momentumSource(fv::optionList& options)
 void Foam::cghs::incompressibleFluid::finishStep()
 {
     turbulence_->correct();
+}
+
+
+void Foam::cghs::incompressibleFluid::checkThermo
+(
+    const rhoThermo& thermo
+) const
+{
+    const dictionary& types = thermo.subDict("thermoType");
+
+    if (thermo.he().name() != "e")
+    {
+        FatalIOErrorInFunction(types)
+            << "Entry energy is " << types.get<word>("energy")
+            << " but p of a fluid " << typeName << " is over the density, and"
+            << " an enthalpy would take it for a pressure" << nl
+            << "Valid choices: sensibleInternalEnergy" << nl
+            << exit(FatalIOError);
+    }
+
+    const scalar rho = density_.value();
+    const tmp<volScalarField> rhos(thermo.rho());
+    const scalar difference = gMax(mag(rhos().primitiveField() - rho)());
+
+    if (!(difference <= 1e-6*rho))
+    {
+        FatalIOErrorInFunction(thermo)
+            << "The density is " << gAverage(rhos().primitiveField())
+            << " but entry rho in " << transport_.name() << " is " << rho << nl
+            << "Choose the equationOfState rhoConst, and give it that rho" << nl
+            << exit(FatalIOError);
+    }
+}
+
+
+Foam::fluidThermo& Foam::cghs::incompressibleFluid::thermo()
+{
+    if (!thermo_.valid())
+    {
+        checkThermophysics
+        (
+            mesh(),
+            transport_,
+            "rho is there, and energy is to be transported,",
+            "see incompressibleFluid.H, or do not transport energy"
+        );
+        checkTemperature(mesh());
+        thermo_ = rhoThermo::New(mesh());
+        checkThermo(thermo_());
+    }
+
+    return thermo_();
+}
+
+
+Foam::tmp<Foam::volScalarField> Foam::cghs::incompressibleFluid::mut() const
+{
+    return rho_*turbulence_->nut();
 }

@@ -3,7 +3,8 @@
     GPL-3.0-or-later, see LICENSE
 \*---------------------------------------------------------------------------*/
 
-#include "isothermalGas.H"
+#include "gas.H"
+#include "temperature.H"
 #include "fvm.H"
 #include "fvc.H"
 #include "addToRunTimeSelectionTable.H"
@@ -12,68 +13,8 @@ namespace Foam
 {
 namespace cghs
 {
-    defineTypeNameAndDebug(isothermalGas, 0);
-    addToRunTimeSelectionTable(fluidModel, isothermalGas, cloud);
-
-
-//- Stop unless a field that the case gives is above zero
-static void checkAboveZero(const volScalarField& field, const char* meaning)
-{
-    const scalar lowest = gMin(field.primitiveField());
-
-    if (!(lowest > 0))
-    {
-        FatalIOErrorInFunction(fluidModel::fileOf(field))
-            << "Entry internalField goes down to " << lowest
-            << " but must be greater than zero: " << meaning << nl
-            << exit(FatalIOError);
-    }
-}
-
-
-//- Before thermodynamics divide by it
-static void checkTemperature(const fvMesh& mesh)
-{
-    checkAboveZero
-    (
-        volScalarField
-        (
-            IOobject
-            (
-                "T",
-                mesh.time().timeName(),
-                mesh,
-                IOobject::MUST_READ,
-                IOobject::NO_WRITE,
-                false
-            ),
-            mesh
-        ),
-        "T is the absolute temperature [K], e.g. 293"
-    );
-}
-
-
-static void checkFile(const fvMesh& mesh, const dictionary& solution)
-{
-    IOobject file
-    (
-        basicThermo::dictName,
-        mesh.time().constant(),
-        mesh,
-        IOobject::MUST_READ
-    );
-
-    if (!file.typeHeaderOk<IOdictionary>(true))
-    {
-        FatalIOErrorInFunction(solution)
-            << "Entry " << fluidModel::typeName << " is "
-            << isothermalGas::typeName << " but there is no file "
-            << file.objectPath() << nl
-            << "Write one, see isothermalGas.H, or choose incompressible" << nl
-            << exit(FatalIOError);
-    }
-}
+    defineTypeNameAndDebug(gas, 0);
+    addToRunTimeSelectionTable(fluidModel, gas, cloud);
 
 
 //- The gas of the case's dictionary. Its density is psi p, with psi that does
@@ -84,7 +25,13 @@ static autoPtr<psiThermo> idealGas
     const dictionary& solution
 )
 {
-    checkFile(mesh, solution);
+    checkThermophysics
+    (
+        mesh,
+        solution,
+        fluidModel::typeName + (" is " + gas::typeName),
+        "see gas.H, or choose incompressible"
+    );
     checkTemperature(mesh);
 
     autoPtr<psiThermo> thermo(psiThermo::New(mesh));
@@ -94,7 +41,7 @@ static autoPtr<psiThermo> idealGas
         FatalIOErrorInFunction(thermo->subDict("thermoType"))
             << "Entry equationOfState is "
             << thermo->subDict("thermoType").get<word>("equationOfState")
-            << " but a fluid " << isothermalGas::typeName
+            << " but a fluid " << gas::typeName
             << " must be an ideal gas" << nl
             << "Valid choices: perfectGas" << nl
             << exit(FatalIOError);
@@ -108,7 +55,7 @@ static autoPtr<psiThermo> idealGas
 
 // * * * * * * * * * * * * * * * Construction  * * * * * * * * * * * * * * * //
 
-Foam::cghs::isothermalGas::isothermalGas
+Foam::cghs::gas::gas
 (
     fvMesh& mesh,
     const dimensionedVector& g,
@@ -124,7 +71,7 @@ Foam::cghs::isothermalGas::isothermalGas
             "rho",
             mesh.time().timeName(),
             mesh,
-            IOobject::NO_READ,
+            transports("energy") ? IOobject::READ_IF_PRESENT : IOobject::NO_READ,
             IOobject::AUTO_WRITE
         ),
         thermo_->psi()*p_
@@ -158,10 +105,18 @@ Foam::cghs::isothermalGas::isothermalGas
     p_.oldTime();
     rho_.oldTime();
     thermo_->psi().oldTime();
+
+    if (transports("energy"))
+    {
+        // psi follows T before the next pressure does. The density is the
+        // state between steps, and its mass is kept
+        psiOfRho_.reset(new volScalarField("psiOfRho", rho_/p_));
+        psiOfRho_->oldTime();
+    }
 }
 
 
-void Foam::cghs::isothermalGas::startAtRest()
+void Foam::cghs::gas::startAtRest()
 {
     const scalarField& psi = thermo_->psi().primitiveField();
     scalarField p
@@ -183,17 +138,22 @@ void Foam::cghs::isothermalGas::startAtRest()
 }
 
 
-Foam::scalar Foam::cghs::isothermalGas::massNow() const
+Foam::scalar Foam::cghs::gas::massNow() const
 {
     return fvc::domainIntegrate(alpha_*rho_).value();
 }
 
 // * * * * * * * * * * * * * * * * The step  * * * * * * * * * * * * * * * * //
 
-Foam::tmp<Foam::fvVectorMatrix> Foam::cghs::isothermalGas::momentumEquation()
+Foam::tmp<Foam::fvVectorMatrix> Foam::cghs::gas::momentumEquation()
 {
     // With the density at the end of the step before, as after a restart
     alphaRhoPhi_ = contentf()*phi_;
+
+    if (psiOfRho_.valid())
+    {
+        psiOfRho_() = thermo_->psi();
+    }
 
     return
         fvm::ddt(alpha_, rho_, U_)
@@ -203,21 +163,21 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::cghs::isothermalGas::momentumEquation()
 }
 
 
-void Foam::cghs::isothermalGas::addStorage(fvScalarMatrix& pEqn) const
+void Foam::cghs::gas::addStorage(fvScalarMatrix& pEqn) const
 {
-    pEqn -= fvm::ddt(alpha_, thermo_->psi(), p_);
+    pEqn -= fvm::ddt(alpha_, psi(), p_);
 }
 
 
-void Foam::cghs::isothermalGas::pressureSolved()
+void Foam::cghs::gas::pressureSolved()
 {
-    rho_ = thermo_->psi()*p_;
+    rho_ = psi()*p_;
     rhof_ = fvc::interpolate(rho_);
 }
 
 
 Foam::tmp<Foam::volScalarField>
-Foam::cghs::isothermalGas::contentGain
+Foam::cghs::gas::contentGain
 (
     const surfaceScalarField& flux
 ) const
@@ -226,27 +186,27 @@ Foam::cghs::isothermalGas::contentGain
 }
 
 
-Foam::scalar Foam::cghs::isothermalGas::fullContent() const
+Foam::scalar Foam::cghs::gas::fullContent() const
 {
     return gAverage(rho_.primitiveField());
 }
 
 
 Foam::tmp<Foam::volScalarField>
-Foam::cghs::isothermalGas::contentSource(fv::optionList& options)
+Foam::cghs::gas::contentSource(fv::optionList& options)
 {
     return options(rho_) & rho_;
 }
 
 
 Foam::tmp<Foam::fvVectorMatrix>
-Foam::cghs::isothermalGas::momentumSource(fv::optionList& options)
+Foam::cghs::gas::momentumSource(fv::optionList& options)
 {
     return options(rho_, U_);
 }
 
 
-void Foam::cghs::isothermalGas::finishStep()
+void Foam::cghs::gas::finishStep()
 {
     const scalar lowest = gMin(p_.primitiveField());
 
@@ -279,7 +239,19 @@ void Foam::cghs::isothermalGas::finishStep()
 }
 
 
-void Foam::cghs::isothermalGas::report(Ostream& os) const
+void Foam::cghs::gas::transportedSolved()
+{
+    mu_ = thermo_->mu();
+}
+
+
+Foam::tmp<Foam::volScalarField> Foam::cghs::gas::mut() const
+{
+    return rho_*turbulence_->nut();
+}
+
+
+void Foam::cghs::gas::report(Ostream& os) const
 {
     fluidModel::report(os);
 

@@ -1,0 +1,338 @@
+/*---------------------------------------------------------------------------*\
+    cghsFoam | coarse-grained hard spheres in OpenFOAM
+    GPL-3.0-or-later, see LICENSE
+\*---------------------------------------------------------------------------*/
+
+#include "energy.H"
+#include "fluidModel.H"
+#include "knownEntries.H"
+#include "profiling.H"
+#include "fvm.H"
+#include "fvc.H"
+#include "addToRunTimeSelectionTable.H"
+
+namespace Foam
+{
+namespace cghs
+{
+    defineTypeNameAndDebug(energy, 0);
+    addToRunTimeSelectionTable(transported, energy, fluid);
+}
+}
+
+// * * * * * * * * * * * * * * * Construction  * * * * * * * * * * * * * * * //
+
+Foam::cghs::energy::energy(const dictionary& dict, fluidModel& fluid)
+:
+    fluid_(fluid),
+    thermo_(fluid.thermo()),
+    he_(thermo_.he()),
+    conductivity_(conductivityModel::New(dict)),
+    pressureWork_(readPressureWork(dict)),
+    Cp_("Cp", thermo_.Cpv()),
+    kappa_("kappa", thermo_.kappa()),
+    dT_("dT", 0*thermo_.T())
+{
+    warnUnknownEntries
+    (
+        dict,
+        wordList({"conductivityModel", "pressureWork"})
+    );
+    thermo_.validate("cghsFoam", "h", "e");
+    restart();
+    he_.writeOpt() = IOobject::AUTO_WRITE;
+    he_.oldTime();
+}
+
+
+bool Foam::cghs::energy::readPressureWork(const dictionary& dict) const
+{
+    const bool isPressure = thermo_.p().dimensions() == dimPressure;
+    const bool wanted = dict.getOrDefault<bool>("pressureWork", isPressure);
+
+    if (wanted && !isPressure)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry pressureWork is yes but p is over the density: the"
+            << " pressure does no work on a fluid that is incompressible" << nl
+            << "Remove the entry, or choose the fluid gas" << nl
+            << exit(FatalIOError);
+    }
+
+    return wanted;
+}
+
+
+void Foam::cghs::energy::restart()
+{
+    const fvMesh& mesh = he_.mesh();
+    IOobject file
+    (
+        he_.name(),
+        mesh.time().timeName(),
+        mesh,
+        IOobject::MUST_READ,
+        IOobject::NO_WRITE,
+        false
+    );
+
+    if (!file.typeHeaderOk<volScalarField>(true))
+    {
+        return;
+    }
+
+    const scalarField written
+    (
+        "internalField",
+        fluidModel::fileOf(he_),
+        mesh.nCells()
+    );
+    const scalarField misfit
+    (
+        mag(written - he_.primitiveField())
+       /(Cp_.primitiveField()*thermo_.T().primitiveField())
+    );
+    const scalar most = gMax(misfit);
+
+    if (most > 1e-3)
+    {
+        WarningInFunction
+            << "Entry internalField in " << file.objectPath()
+            << " is not that of the temperature: the largest difference is "
+            << 100*most << " % of Cp T" << nl
+            << "    T is taken. Remove " << he_.name()
+            << " where T has been changed" << nl << endl;
+        return;
+    }
+
+    he_.primitiveFieldRef() = written;
+    he_.correctBoundaryConditions();
+}
+
+// * * * * * * * * * * * * * * * * The step  * * * * * * * * * * * * * * * * //
+
+Foam::tmp<Foam::volScalarField>
+Foam::cghs::energy::pressurePower(const fluidFlow& flow) const
+{
+    const volScalarField& p = thermo_.p();
+
+    if (enthalpy())
+    {
+        return flow.alpha*fvc::ddt(p);
+    }
+
+    return
+      - p*fvc::ddt(flow.alpha)
+      - fvc::div(flow.volumeFlux*fvc::interpolate(p));
+}
+
+
+Foam::tmp<Foam::fvScalarMatrix> Foam::cghs::energy::transport
+(
+    const fluidFlow& flow,
+    const volScalarField& conduction
+)
+{
+    const word scheme("div(alphaRhoPhi," + he_.name() + ')');
+    volScalarField closed
+    (
+        fvc::ddt(flow.alpha, flow.rho) + fvc::div(flow.massFlux)
+    );
+
+    // What comes in has no energy yet, what leaves takes its own along
+    if (flow.source.valid())
+    {
+        closed -= posPart(flow.source());
+    }
+
+    return
+        fvm::ddt(flow.alpha, flow.rho, he_)
+      + fvm::div(flow.massFlux, he_, scheme)
+      - fvm::Sp(closed, he_)
+      - fvm::laplacian(conduction, he_);
+}
+
+
+void Foam::cghs::energy::solve
+(
+    const fluidFlow& flow,
+    const exchangeTerms& terms
+)
+{
+    addProfiling(energy, "cghs::energy");
+
+    const volScalarField conduction
+    (
+        "conduction",
+        conductivity_->conductivity(flow.alpha, kappa_, Cp_, fluid_.mut())/Cp_
+    );
+    fvScalarMatrix heEqn(transport(flow, conduction));
+
+    const tmp<volScalarField> before(he_.oldTime());
+    tmp<volScalarField> power;
+    tmp<volScalarField> response;
+    tmp<fvScalarMatrix> sources;
+
+    if (terms.any())
+    {
+        response = terms.response()/Cp_;
+        heEqn += fvm::Sp(response(), he_);
+        heEqn -= terms.given() + response()*before();
+    }
+
+    if (pressureWork_)
+    {
+        power = pressurePower(flow);
+        heEqn -= power();
+    }
+
+    if (flow.options.size())
+    {
+        sources = flow.options(flow.alpha, flow.rho, he_);
+        heEqn -= sources();
+    }
+
+    heEqn.relax();
+    flow.options.constrain(heEqn);
+    heEqn.solve();
+    flow.options.correct(he_);
+
+    dT_ = (he_ - before())/Cp_;
+
+    balance_ = balance();
+    addStored(flow);
+    addBoundary(flow, conduction);
+
+    if (terms.any())
+    {
+        balance_.parcels = add(terms.given() - terms.response()*dT_);
+    }
+
+    if (pressureWork_)
+    {
+        balance_.pressure = add(power());
+    }
+
+    if (sources.valid())
+    {
+        balance_.sources = add(sources() & he_);
+    }
+
+    if (flow.source.valid())
+    {
+        balance_.sources += add(negPart(flow.source())*he_);
+    }
+
+    update();
+}
+
+
+void Foam::cghs::energy::update()
+{
+    thermo_.correct();
+
+    const volScalarField& T = thermo_.T();
+    const scalar lowest = gMin(T.primitiveField());
+
+    if (!(lowest > 0))
+    {
+        FatalErrorInFunction
+            << "The temperature of the fluid has fallen to " << lowest
+            << " K: the run has gone out of hand." << nl
+            << "Lower maxCo or maxDeltaT, choose a bounded scheme for"
+            << " div(alphaRhoPhi," << he_.name() << "), e.g. Gauss upwind,"
+            << " or raise minVoidage" << nl
+            << exit(FatalError);
+    }
+
+    Cp_ = thermo_.Cpv();
+    kappa_ = thermo_.kappa();
+}
+
+// * * * * * * * * * * * * * * * * Reports * * * * * * * * * * * * * * * * * //
+
+Foam::scalar Foam::cghs::energy::add(const volScalarField& density)
+{
+    balance_.scale += fvc::domainIntegrate(mag(density)).value();
+
+    return fvc::domainIntegrate(density).value();
+}
+
+
+void Foam::cghs::energy::addStored(const fluidFlow& flow)
+{
+    const tmp<volScalarField> rate(fvc::ddt(flow.alpha, flow.rho, he_));
+
+    balance_.stored = add(rate());
+}
+
+
+void Foam::cghs::energy::addBoundary
+(
+    const fluidFlow& flow,
+    const volScalarField& conduction
+)
+{
+    scalar scale = 0;
+
+    for (const fvPatchScalarField& he : he_.boundaryField())
+    {
+        const label patchi = he.patch().index();
+
+        if (he.coupled() || he.empty())
+        {
+            continue;
+        }
+
+        const scalarField carried
+        (
+            -flow.massFlux.boundaryField()[patchi]*he
+        );
+        const scalarField conducted
+        (
+            conduction.boundaryField()[patchi]*he.snGrad()*he.patch().magSf()
+        );
+
+        balance_.inflow += sum(carried);
+        balance_.walls += sum(conducted);
+        scale += sum(mag(carried)) + sum(mag(conducted));
+    }
+
+    reduce(balance_.inflow, sumOp<scalar>());
+    reduce(balance_.walls, sumOp<scalar>());
+    balance_.scale += returnReduce(scale, sumOp<scalar>());
+}
+
+
+void Foam::cghs::energy::report(Ostream& os) const
+{
+    const scalarField& T = thermo_.T().primitiveField();
+    const scalar defect = balance_.defect();
+
+    os  << "energy: stored " << balance_.stored
+        << " W, inflow " << balance_.inflow
+        << " W, walls " << balance_.walls
+        << " W, parcels " << balance_.parcels
+        << " W, sources " << balance_.sources
+        << " W, pressure " << balance_.pressure << " W" << nl
+        << "        energy from nowhere " << defect << " W, relative "
+        << mag(defect)/max(balance_.scale, VSMALL)
+        << "; T from " << gMin(T) << " to " << gMax(T) << " K" << nl;
+}
+
+// * * * * * * * * * * * * * What parcels meet * * * * * * * * * * * * * * * //
+
+Foam::wordList Foam::cghs::energy::fieldNames() const
+{
+    return wordList({thermo_.T().name(), Cp_.name(), kappa_.name()});
+}
+
+
+const Foam::volScalarField&
+Foam::cghs::energy::field(const word& name) const
+{
+    return
+        name == Cp_.name() ? Cp_
+      : name == kappa_.name() ? kappa_
+      : thermo_.T();
+}

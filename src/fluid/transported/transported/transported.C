@@ -1,0 +1,58 @@
+/*---------------------------------------------------------------------------*\
+    cghsFoam | coarse-grained hard spheres in OpenFOAM
+    GPL-3.0-or-later, see LICENSE
+\*---------------------------------------------------------------------------*/
+
+#include "transported.H"
+#include "fluidModel.H"
+
+namespace Foam
+{
+namespace cghs
+{
+    defineTypeNameAndDebug(transported, 0);
+    defineRunTimeSelectionTable(transported, fluid);
+}
+}
+
+
+Foam::wordList Foam::cghs::transported::selected(const dictionary& solution)
+{
+    const wordList names(solution.getOrDefault(typeName, wordList()));
+
+    forAll(names, i)
+    {
+        if (names.find(names[i]) != i)
+        {
+            FatalIOErrorInFunction(solution)
+                << "Entry " << typeName << " is " << flatOutput(names)
+                << ": it names " << names[i] << " twice" << nl
+                << "Name each quantity once" << nl
+                << exit(FatalIOError);
+        }
+    }
+
+    return names;
+}
+
+
+Foam::autoPtr<Foam::cghs::transported> Foam::cghs::transported::New
+(
+    const word& modelType,
+    const dictionary& solution,
+    fluidModel& fluid
+)
+{
+    const auto constructor = fluidConstructorTablePtr_->cfind(modelType);
+
+    if (!constructor.found())
+    {
+        FatalIOErrorInFunction(solution)
+            << "Unknown " << typeName << ' ' << modelType << nl << nl
+            << "Valid choices:" << nl
+            << fluidConstructorTablePtr_->sortedToc() << nl
+            << exit(FatalIOError);
+    }
+
+    return constructor()(solution.subOrEmptyDict(modelType + "Coeffs"), fluid);
+}
