@@ -122,6 +122,20 @@ class Case:
         with open(self.folder / path, "a") as file:
             file.write(text + "\n")
 
+    def patches(self, field, **patches):
+        """Conditions of a field at patches, as text."""
+        self.append(f"0/{field}", "boundaryField { " + " ".join(
+            f"{name} {{ {text} }}" for name, text in patches.items()) + " }")
+
+    def sources(self, **fields):
+        """Sources everywhere of fields, per volume: (explicit, implicit)."""
+        (self.folder/"constant/fvOptions").write_text(
+            _HEADER.format(cls="dictionary", name="fvOptions") + "".join(
+                f"{field}Source {{ type scalarSemiImplicitSource;"
+                " selectionMode all; volumeMode specific;"
+                f" injectionRateSuSp {{ {field} {foam(rate)}; }} }}\n"
+                for field, rate in fields.items()))
+
     def run(self, *command):
         run(self.folder, *command)
 

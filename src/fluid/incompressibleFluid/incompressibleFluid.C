@@ -179,14 +179,25 @@ void Foam::cghs::incompressibleFluid::checkThermo
 ) const
 {
     const dictionary& types = thermo.subDict("thermoType");
+    const labelList cells(identity(mesh().nCells()));
+    const scalarField& p = p_.primitiveField();
+    const scalarField& T = thermo.T().primitiveField();
+    const scalarField change
+    (
+        thermo.he(p + 1e5, T, cells) - thermo.he(p, T, cells)
+    );
+    const scalar most = gMax(mag(change)());
 
-    if (thermo.he().name() != "e")
+    if (most > 1e-9*gMax(mag(thermo.he(p, T, cells)())()))
     {
         FatalIOErrorInFunction(types)
             << "Entry energy is " << types.get<word>("energy")
-            << " but p of a fluid " << typeName << " is over the density, and"
-            << " an enthalpy would take it for a pressure" << nl
-            << "Valid choices: sensibleInternalEnergy" << nl
+            << ", which with thermo " << types.get<word>("thermo")
+            << " changes with p, but p of a fluid " << typeName
+            << " is over the density and no pressure" << nl
+            << "Choose an energy that does not: thermo eConst with energy"
+            << " sensibleInternalEnergy, or another thermo with"
+            << " sensibleEnthalpy" << nl
             << exit(FatalIOError);
     }
 

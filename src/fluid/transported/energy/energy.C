@@ -127,6 +127,16 @@ Foam::cghs::energy::pressurePower(const fluidFlow& flow) const
 }
 
 
+Foam::tmp<Foam::volScalarField>
+Foam::cghs::energy::bare(const fluidFlow& flow) const
+{
+    return
+        flow.source.valid() && flow.options.appliesToField(he_.name())
+      ? posPart(flow.source())
+      : tmp<volScalarField>();
+}
+
+
 Foam::tmp<Foam::fvScalarMatrix> Foam::cghs::energy::transport
 (
     const fluidFlow& flow,
@@ -139,10 +149,10 @@ Foam::tmp<Foam::fvScalarMatrix> Foam::cghs::energy::transport
         fvc::ddt(flow.alpha, flow.rho) + fvc::div(flow.massFlux)
     );
 
-    // What comes in has no energy yet, what leaves takes its own along
-    if (flow.source.valid())
+    const tmp<volScalarField> S(bare(flow));
+    if (S.valid())
     {
-        closed -= posPart(flow.source());
+        closed -= S();
     }
 
     return
@@ -220,7 +230,13 @@ void Foam::cghs::energy::solve
 
     if (flow.source.valid())
     {
-        balance_.sources += add(negPart(flow.source())*he_);
+        tmp<volScalarField> carried(flow.source()*he_);
+        const tmp<volScalarField> S(bare(flow));
+        if (S.valid())
+        {
+            carried.ref() -= S()*he_;
+        }
+        balance_.sources += add(carried());
     }
 
     update();
