@@ -215,7 +215,7 @@ void Foam::cghs::energy::solve
 
     if (terms.any())
     {
-        balance_.parcels = add(terms.given() - terms.response()*dT_);
+        balance_.parcels = add(terms.given()) - add(terms.response()*dT_);
     }
 
     if (pressureWork_)
