@@ -71,7 +71,9 @@ Foam::cghs::gas::gas
             "rho",
             mesh.time().timeName(),
             mesh,
-            transports("energy") ? IOobject::READ_IF_PRESENT : IOobject::NO_READ,
+            transports("energy")
+          ? IOobject::READ_IF_PRESENT
+          : IOobject::NO_READ,
             IOobject::AUTO_WRITE
         ),
         thermo_->psi()*p_

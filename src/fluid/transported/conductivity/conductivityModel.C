@@ -19,5 +19,6 @@ namespace cghs
 Foam::autoPtr<Foam::cghs::conductivityModel>
 Foam::cghs::conductivityModel::New(const dictionary& dict)
 {
-    return selectModel<conductivityModel>(dict, *dictionaryConstructorTablePtr_);
+    return
+        selectModel<conductivityModel>(dict, *dictionaryConstructorTablePtr_);
 }
