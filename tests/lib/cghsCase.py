@@ -147,13 +147,15 @@ class Case:
         self.run("fillParcels")
 
     def parcels(self, x, U=(0, 0, 0), d=1e-3, rho=2500, W=1, omega=None,
-                material=None):
+                material=None, T=None):
         """Write parcels of given positions, velocities and so on to time 0;
         what is given once holds for all."""
         x = np.array(x, float).reshape(-1, 3)
         n = len(x)
         scalars = {"d": d, "rho": rho, "nParticle": W}
         vectors = {"position": x, "U": U}
+        if T is not None:
+            scalars["T"] = T
         if omega is not None:
             vectors["omega"] = omega
 

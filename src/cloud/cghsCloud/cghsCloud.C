@@ -615,6 +615,20 @@ void Foam::cghs::cghsCloud::meet(carrierFluid& fluid)
 }
 
 
+Foam::cghs::exchangeTerms
+Foam::cghs::cghsCloud::terms(const word& quantity) const
+{
+    exchangeTerms sum;
+
+    for (const cghs::exchange& e : exchanges_)
+    {
+        sum.add(e.terms(quantity));
+    }
+
+    return sum;
+}
+
+
 void Foam::cghs::cghsCloud::complete
 (
     const carrierFluid& fluid,

@@ -647,7 +647,7 @@ void Foam::cghs::fluidModel::solve(cghsCloud& parcels)
 
     if (transported_.size())
     {
-        solveTransported();
+        solveTransported(parcels);
     }
 }
 
@@ -664,7 +664,7 @@ void Foam::cghs::fluidModel::keepFluxes()
 }
 
 
-void Foam::cghs::fluidModel::solveTransported()
+void Foam::cghs::fluidModel::solveTransported(const cghsCloud& parcels)
 {
     for (transported& quantity : transported_)
     {
@@ -678,10 +678,13 @@ void Foam::cghs::fluidModel::solveTransported()
             flow.source = momentumDensity()*source_();
         }
 
-        // ---- What parcels give: none yet, here theirs come in -------------
-        const exchangeTerms terms{};
-
-        quantity.solve(flow, terms);
+        quantity.solve
+        (
+            flow,
+            parcels.loads()
+          ? parcels.terms(quantity.type())
+          : exchangeTerms()
+        );
     }
 
     massFlux_.clear();
