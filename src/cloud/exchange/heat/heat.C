@@ -8,7 +8,6 @@
 #include "checkedEntry.H"
 #include "knownEntries.H"
 #include "profiling.H"
-#include "Time.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -32,11 +31,18 @@ Foam::cghs::heat::heat(const dictionary& dict, const fvMesh& mesh)
     response_(mesh.nCells(), Zero),
     given_(mesh.nCells(), Zero),
     deltaT_(1),
+    meets_(false),
+    twoWay_(false),
     flows_(blockSize_),
     Nu_(blockSize_),
-    taken_(0),
-    told_(0),
-    takenInAll_(0),
+    balance_(),
+    fromFluid_(balance_.open("fluid")),
+    fed_(balance_.open("fed")),
+    left_(balance_.open("left")),
+    fedBefore_(0),
+    leftBefore_(0),
+    mismatch_(0),
+    range_{GREAT, -GREAT, 0},
     warned_(false)
 {
     warnUnknownEntries(dict, wordList({"Cp", heatTransferModel::typeName}));
@@ -49,6 +55,7 @@ void Foam::cghs::heat::addColumns(arena& parcels)
 {
     parcels.add(T_);
     parcels.add(responses_);
+    parcels.keep(*this);
 }
 
 // * * * * * * * * * * * * * * * * The step  * * * * * * * * * * * * * * * * //
@@ -58,6 +65,7 @@ void Foam::cghs::heat::meet(const arena&, carrierFluid& fluid)
     const scalarField& Cp = fluid.field("Cp").primitiveField();
     const scalarField& kappa = fluid.field("kappa").primitiveField();
 
+    meets_ = true;
     U_ = fluid.U().primitiveField();
     fluidT_ = fluid.field("T").primitiveField();
     fluid_.setSize(mesh_.nCells());
@@ -109,8 +117,9 @@ void Foam::cghs::heat::findResponses
 
 void Foam::cghs::heat::evolve(arena& parcels, const scalar deltaT)
 {
-    if (fluid_.empty())
+    if (!meets_)
     {
+        close(parcels, deltaT);
         return;
     }
 
@@ -133,6 +142,7 @@ void Foam::cghs::heat::leave(const arena& parcels, const scalar deltaT)
 {
     addProfiling(heat, "cghs::heat");
 
+    twoWay_ = true;
     deltaT_ = max(deltaT, VSMALL);
     response_ = Zero;
     given_ = Zero;
@@ -197,75 +207,127 @@ void Foam::cghs::heat::complete
     const tmp<volScalarField> tdT(fluid.change("T"));
     const scalarField& dT = tdT().primitiveField();
 
-    taken_ = 0;
+    // Of the parcels; of the cells; of the magnitudes
+    scalarField sums(3, Zero);
+
     for (label i = 0; i < parcels.size(); ++i)
     {
         const label celli = parcels.cells[i];
         const scalar Q = responses_[i]*(fluidT_[celli] + dT[celli] - T_[i]);
 
         T_[i] += Q/capacity(parcels, i);
-        taken_ += Q;
+        sums[0] += Q;
+        sums[2] += mag(Q);
     }
 
-    told_ = 0;
     forAll(given_, celli)
     {
-        told_ -= given_[celli] - response_[celli]*dT[celli];
+        sums[1] -= given_[celli] - response_[celli]*dT[celli];
     }
-    deltaT_ = deltaT;
-    takenInAll_ += returnReduce(taken_, sumOp<scalar>());
+
+    balance_.add(fromFluid_, sums[0]);
+
+    if (twoWay_)
+    {
+        reduce(sums, sumOp<scalarField>());
+        mismatch_ = mag(sums[0] - sums[1])/max(sums[2], VSMALL);
+        twoWay_ = false;
+    }
+    close(parcels, deltaT);
 }
 
-// * * * * * * * * * * * * * * * * Reports * * * * * * * * * * * * * * * * * //
 
-void Foam::cghs::heat::report(const arena& parcels, Ostream& os) const
+void Foam::cghs::heat::close(const arena& parcels, const scalar deltaT)
 {
-    scalar sumCT = 0;
-    scalar sumC = 0;
-    scalar least = GREAT;
-    scalar most = -GREAT;
+    scalar enthalpy = 0;
+    scalarField sums(2, Zero);
+    range_.least = GREAT;
+    range_.most = -GREAT;
 
     for (label i = 0; i < parcels.size(); ++i)
     {
         const scalar C = capacity(parcels, i);
 
-        sumCT += C*T_[i];
-        sumC += C;
-        least = min(least, T_[i]);
-        most = max(most, T_[i]);
+        enthalpy += C*T_[i];
+        sums[1] += C;
+        range_.least = min(range_.least, T_[i]);
+        range_.most = max(range_.most, T_[i]);
     }
-    reduce(sumCT, sumOp<scalar>());
-    reduce(sumC, sumOp<scalar>());
-    reduce(least, minOp<scalar>());
-    reduce(most, maxOp<scalar>());
+    sums[0] = enthalpy;
+    reduce(sums, sumOp<scalarField>());
+    reduce(range_.least, minOp<scalar>());
+    reduce(range_.most, maxOp<scalar>());
+    range_.mean = sums[0]/max(sums[1], VSMALL);
 
-    const scalar taken = returnReduce(taken_, sumOp<scalar>());
+    balance_.add(fed_, carriedIn() - fedBefore_);
+    balance_.add(left_, leftBefore_ - carriedOut());
+    fedBefore_ = carriedIn();
+    leftBefore_ = carriedOut();
+    balance_.close(enthalpy, deltaT);
 
-    if (sumC > 0)
+    if (sums[1] > 0)
     {
-        if (least < 100 && !warned_)
-        {
-            warned_ = true;
-            WarningInFunction
-                << "Parcels have a T of " << least << ", which is very cold for"
-                << " an absolute temperature [K]. If degrees Celsius were meant"
-                << " in constantProperties, feeding or the file of T, add 273.15"
-                << nl << endl;
-        }
-        os  << "heat:   parcels of " << least << " to " << most << " K, mean "
-            << sumCT/sumC << " K, take " << taken/deltaT_
-            << " W from the fluid, " << takenInAll_ << " J so far" << nl;
+        checkRange();
     }
+}
+
+
+void Foam::cghs::heat::checkRange()
+{
+    constexpr scalar cold = 100;
+
+    if (range_.least < cold && !warned_)
+    {
+        warned_ = true;
+        WarningInFunction
+            << "Entry T of parcels is " << range_.least << " K at least, which"
+            << " is very cold" << nl
+            << "    If degrees Celsius are meant in constantProperties, in"
+            << " feeding or in the file of T, add 273.15" << nl << endl;
+    }
+}
+
+// * * * * * * * * * * * * * * * * Reports * * * * * * * * * * * * * * * * * //
+
+Foam::List<Foam::cghs::figure> Foam::cghs::heat::figures() const
+{
+    DynamicList<figure> list;
+
+    list.append(figure{"TMin", range_.least});
+    list.append(figure{"TMean", range_.mean});
+    list.append(figure{"TMax", range_.most});
+    list.append(figure{"stored", balance_.storage()});
+
+    for (label i = 0; i < balance_.nAccounts(); ++i)
+    {
+        list.append(figure{balance_.name(i), balance_.power(i)});
+    }
+
+    return List<figure>(std::move(list));
+}
+
+
+void Foam::cghs::heat::report(const arena& parcels, Ostream& os) const
+{
+    if (range_.most < range_.least)
+    {
+        return;
+    }
+
+    os  << "heat:   parcels of " << range_.least << " to " << range_.most
+        << " K, mean " << range_.mean << " K; they and the fluid differ by "
+        << mismatch_ << " of what they exchange" << nl;
+    balance_.report(os);
 }
 
 
 void Foam::cghs::heat::state(dictionary& state) const
 {
-    state.add("taken", takenInAll_);
+    balance_.state(state);
 }
 
 
 void Foam::cghs::heat::setState(const dictionary& state)
 {
-    state.readIfPresent("taken", takenInAll_);
+    balance_.setState(state);
 }

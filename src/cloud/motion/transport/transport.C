@@ -340,6 +340,7 @@ void Foam::cghs::transport::noteEscape
 {
     ++nEscaped_;
     massEscaped_[patchi] += parcels.motions[i].mass();
+    parcels.noteOut(i);
 
     if (keepsDepartures_)
     {

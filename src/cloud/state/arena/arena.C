@@ -114,6 +114,24 @@ void Foam::cghs::arena::freshen(const label i, const dictionary& dict)
 }
 
 
+void Foam::cghs::arena::noteIn(const label i) const
+{
+    for (ledger* l : ledgers_)
+    {
+        l->noteIn(*this, i);
+    }
+}
+
+
+void Foam::cghs::arena::noteOut(const label i) const
+{
+    for (ledger* l : ledgers_)
+    {
+        l->noteOut(*this, i);
+    }
+}
+
+
 Foam::label Foam::cghs::arena::rowWidth() const
 {
     label n = 0;

@@ -142,6 +142,7 @@ void Foam::cghs::feeding::append
     {
         parcels.setRow(i, it.row);
     }
+    parcels.noteIn(i);
 }
 
 
