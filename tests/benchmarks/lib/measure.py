@@ -133,8 +133,10 @@ STAGES = {
     "cghs::move": "motion and cells",
     "cghs::evolve": "rest of the solids steps",
     "cghs::mapping": "mapping to and from the mesh",
+    "cghs::heat": "heat",
     "cghs::complete": "completion after the fluid",
     "cghs::fluid": "fluid",
+    "cghs::energy": "energy of the fluid",
     "cghs::report": "report",
     "other": "rest: step control, log, writing",
 }
