@@ -42,6 +42,7 @@ Foam::cghs::heat::heat(const dictionary& dict, const fvMesh& mesh)
     fedBefore_(0),
     leftBefore_(0),
     mismatch_(0),
+    exchanged_(0),
     range_{GREAT, -GREAT, 0},
     warned_(false)
 {
@@ -230,7 +231,8 @@ void Foam::cghs::heat::complete
     if (twoWay_)
     {
         reduce(sums, sumOp<scalarField>());
-        mismatch_ = mag(sums[0] - sums[1])/max(sums[2], VSMALL);
+        mismatch_ = mag(sums[0] - sums[1])/deltaT;
+        exchanged_ = sums[2]/deltaT;
         twoWay_ = false;
     }
     close(parcels, deltaT);
@@ -316,7 +318,7 @@ void Foam::cghs::heat::report(const arena& parcels, Ostream& os) const
 
     os  << "heat:   parcels of " << range_.least << " to " << range_.most
         << " K, mean " << range_.mean << " K; they and the fluid differ by "
-        << mismatch_ << " of what they exchange" << nl;
+        << mismatch_ << " W out of " << exchanged_ << " W" << nl;
     balance_.report(os);
 }
 
