@@ -243,11 +243,12 @@ Foam::cghs::cghsCloud::cghsCloud
     checkEntries();
     makeValves();
 
-    for (const cghs::exchange& e : exchanges_)
+    for (cghs::exchange& e : exchanges_)
     {
         if (e.looksAtContacts())
         {
-            contacts_.startLending();
+            contacts_.startLending(e.needs());
+            e.setWalls(contacts_.wallPatches());
         }
     }
 
@@ -509,6 +510,10 @@ void Foam::cghs::cghsCloud::solidsStep
 
     contacts_.correct(parcels_, deltaT);
     lendContacts(deltaT);
+    if (last)
+    {
+        lendNeighbours(fluidDeltaT);
+    }
 
     state_ = transport_.move(parcels_, deltaT);
     contacts_.moved(state_.maxDistance, deltaT);
@@ -519,15 +524,66 @@ void Foam::cghs::cghsCloud::lendContacts(const scalar deltaT)
 {
     for (cghs::exchange& e : exchanges_)
     {
-        if (e.looksAtContacts())
+        const UList<cghs::exchange::lookRound>& rounds = e.contactRounds();
+
+        forAll(rounds, k)
         {
             contacts_.lend
             (
-                e.shown(),
-                e.collected(),
-                [&](const contactList& list) { e.touch(list, parcels_, deltaT); }
+                rounds[k].shown,
+                rounds[k].collected,
+                &contactLog::now,
+                [&](const contactList& list)
+                {
+                    k == 0
+                  ? e.touch(list, parcels_, deltaT)
+                  : e.touchAgain(list, parcels_, deltaT);
+                }
             );
         }
+
+        if (rounds.size())
+        {
+            e.touched(parcels_);
+        }
+    }
+}
+
+
+void Foam::cghs::cghsCloud::lendNeighbours(const scalar fluidDeltaT)
+{
+    bool found = false;
+
+    for (cghs::exchange& e : exchanges_)
+    {
+        const UList<cghs::exchange::lookRound>& rounds = e.neighbourRounds();
+
+        if (rounds.empty())
+        {
+            continue;
+        }
+        if (!found)
+        {
+            contacts_.findNeighbours(parcels_);
+            found = true;
+        }
+
+        forAll(rounds, k)
+        {
+            contacts_.lend
+            (
+                rounds[k].shown,
+                rounds[k].collected,
+                &contactLog::near,
+                [&](const contactList& list)
+                {
+                    k == 0
+                  ? e.near(list, parcels_, fluidDeltaT)
+                  : e.nearAgain(list, parcels_, fluidDeltaT);
+                }
+            );
+        }
+        e.wereNear(parcels_);
     }
 }
 

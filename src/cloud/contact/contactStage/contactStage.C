@@ -94,7 +94,10 @@ void Foam::cghs::contactStage::rebuild(arena& parcels)
     }
     reduce(maxRadius, maxOp<scalar>());
 
-    const scalar skin = skinShare_*2*meanRadius(parcels, maxRadius);
+    // Neighbours are within reach while parcels use up the rest of the skin
+    const scalar reach = 2*needs_.layer*maxRadius;
+    const scalar rest = skinShare_*2*meanRadius(parcels, maxRadius);
+    const scalar skin = rest + reach;
 
     parcels.reorder(search_.order(parcels.spheres, parcels.ids, skin));
     ranks_.invite(parcels, maxRadius, skin);
@@ -117,7 +120,7 @@ void Foam::cghs::contactStage::rebuild(arena& parcels)
     // Two parcels that run or grow at each other use up the skin together
     travelled_ = 0;
     resized_ = false;
-    allowed_ = 0.5*skin;
+    allowed_ = 0.5*rest;
     ++nBuilds_;
 }
 
@@ -208,13 +211,7 @@ void Foam::cghs::contactStage::appendPair
         (
             i,
             bodyOfJ,
-            contact::surfaceOf
-            (
-                contact::parcelParcel,
-                parcels.materialOf(i),
-                parcels.materialOf(bodyOfJ),
-                parcels.nMaterials()
-            ),
+            pairSurface(parcels, i, bodyOfJ),
             slot,
             b.x - a.x,
             a.r + b.r
@@ -228,6 +225,63 @@ void Foam::cghs::contactStage::appendPair
         maxOverlap_ = 0.5*c.overlap/smaller;
     }
     appendIfMeeting(c, parcels, deltaT, log);
+}
+
+
+void Foam::cghs::contactStage::setSurface(contact& c, const arena& parcels)
+{
+    const label material = parcels.materialOf(c.a);
+
+    c.surface = contact::surfaceOf
+    (
+        contact::surfaceType(c.surface),
+        material,
+        material,
+        parcels.nMaterials()
+    );
+}
+
+
+Foam::label Foam::cghs::contactStage::pairSurface
+(
+    const arena& parcels,
+    const label i,
+    const label j
+)
+{
+    return contact::surfaceOf
+    (
+        contact::parcelParcel,
+        parcels.materialOf(i),
+        parcels.materialOf(j),
+        parcels.nMaterials()
+    );
+}
+
+
+void Foam::cghs::contactStage::noteApproaches(const arena& parcels)
+{
+    if (!needs_.approaches)
+    {
+        return;
+    }
+
+    forLogs
+    (
+        [&](contactLog& log)
+        {
+            contactList& list = log.now;
+            list.approaches.clear();
+
+            for (const contact& c : list.contacts)
+            {
+                list.approaches.append
+                (
+                    (parcels.motions[c.a].v - parcels.motions[c.b].v) & c.n
+                );
+            }
+        }
+    );
 }
 
 
@@ -250,36 +304,30 @@ void Foam::cghs::contactStage::findContacts
         wallBody_,
         margin_,
         horizon,
-        [&](contact& c)
+        [&](contact& c, const label face)
         {
-            const label material = parcels.materialOf(c.a);
-            c.surface = contact::surfaceOf
-            (
-                contact::surfaceType(c.surface),
-                material,
-                material,
-                parcels.nMaterials()
-            );
+            setSurface(c, parcels);
             maxOverlap_ =
                 max(maxOverlap_, 0.5*c.overlap/spheres[c.a].r);
             appendIfMeeting(c, parcels, deltaT, contacts_);
+
+            if (needs_.wallFaces)
+            {
+                contacts_.now.wallFaces.resize
+                (
+                    contacts_.now.contacts.size(), face
+                );
+            }
         }
     );
 
     label slot = parcels.size();
 
-    // Parcels on two sides of a thin wall do not feel each other
-    const auto apart = [&](const label i, const label j)
-    {
-        return
-            walls_.anyThin() && walls_.between(i, spheres[i].x, spheres[j].x);
-    };
-
     search_.forOwnPairs
     (
         [&](const label i, const label j)
         {
-            if (near(spheres[i], spheres[j], horizon) && !apart(i, j))
+            if (near(spheres[i], spheres[j], horizon) && !apart(parcels, i, j))
             {
                 appendPair(parcels, i, j, j, slot, deltaT, contacts_);
             }
@@ -292,7 +340,11 @@ void Foam::cghs::contactStage::findContacts
         const label i = pair.first();
         const label guest = pair.second();
 
-        if (near(spheres[i], spheres[guest], horizon) && !apart(i, guest))
+        if
+        (
+            near(spheres[i], spheres[guest], horizon)
+         && !apart(parcels, i, guest)
+        )
         {
             appendPair
             (
@@ -310,6 +362,75 @@ void Foam::cghs::contactStage::findContacts
 
     model_->tally().nContacts =
         contacts_.now.contacts.size() + ranks_.nContacts();
+}
+
+
+void Foam::cghs::contactStage::findNeighbours(const arena& parcels)
+{
+    if (needs_.layer <= 0)
+    {
+        return;
+    }
+
+    const UList<sphere>& spheres = parcels.spheres;
+
+    forLogs([](contactLog& log) { log.near.clear(); });
+
+    walls_.touch
+    (
+        spheres,
+        wallBody_,
+        0.5*needs_.layer,
+        0,
+        [&](contact& c, const label face)
+        {
+            setSurface(c, parcels);
+            contacts_.near.contacts.append(c);
+            contacts_.near.wallFaces.append(face);
+        }
+    );
+
+    const auto look = [&](const label i, const label j, contactLog& log)
+    {
+        const vector d(spheres[j].x - spheres[i].x);
+        const scalar radii = spheres[i].r + spheres[j].r;
+        const label body = j < parcels.size() ? j : ranks_.bodyOf(j);
+
+        if
+        (
+            magSqr(d) < sqr((1 + needs_.layer)*radii)
+         && !apart(parcels, i, j)
+        )
+        {
+            log.near.contacts.append
+            (
+                makeContact
+                (
+                    i,
+                    body,
+                    pairSurface(parcels, i, body),
+                    -1,
+                    d,
+                    radii
+                )
+            );
+        }
+    };
+
+    search_.forOwnPairs
+    (
+        [&](const label i, const label j) { look(i, j, contacts_); }
+    );
+
+    for (const labelPair& pair : search_.guestPairs())
+    {
+        look
+        (
+            pair.first(),
+            pair.second(),
+            ranks_.logFor(pair.second(), parcels.size(), contacts_)
+        );
+    }
 }
 
 
@@ -360,12 +481,13 @@ void Foam::cghs::contactStage::impacts(arena& parcels, const scalar deltaT)
         {
             ranks_.refreshSizes(parcels);
         }
-        ranks_.refreshPositions(parcels, anticipate_);
+        ranks_.refreshPositions(parcels, anticipate_ || needs_.approaches);
     }
     resized_ = false;
 
     parcels.clearShifts();
     findContacts(parcels, deltaT);
+    noteApproaches(parcels);
 
     for (label sweepi = 0; sweepi < model_->nImpactSweeps(); ++sweepi)
     {

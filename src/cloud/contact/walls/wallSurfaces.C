@@ -6,6 +6,7 @@
 #include "wallSurfaces.H"
 #include "closestPoint.H"
 #include "patchParts.H"
+#include "facesOfRanks.H"
 #include "periodicShifts.H"
 #include "Pstream.H"
 #include "PstreamReduceOps.H"
@@ -395,11 +396,13 @@ void Foam::cghs::wallSurfaces::findContacts
     const label wallBody,
     const scalar reach,
     DynamicList<near>& found,
-    DynamicList<contact>& contacts
+    DynamicList<contact>& contacts,
+    DynamicList<label>& faces
 ) const
 {
     found.clear();
     contacts.clear();
+    faces.clear();
 
     for (label k = start_[i]; k < start_[i + 1]; ++k)
     {
@@ -435,6 +438,7 @@ void Foam::cghs::wallSurfaces::findContacts
                 moving_.empty() ? wallBody : wallBody + movingBody_[f.triangle];
 
             contacts.append(makeContact(i, body, f.surface, i, f.d, s.r));
+            faces.append(faces_[f.triangle]);
         }
     }
 }
@@ -524,19 +528,7 @@ bool Foam::cghs::wallSurfaces::setVelocities
         return stopped;
     }
 
-    DynamicList<vector> all;
-    for (const vectorField& own : byPatch)
-    {
-        List<vectorField> ofRanks(Pstream::nProcs());
-        ofRanks[Pstream::myProcNo()] = own;
-        Pstream::gatherList(ofRanks);
-        Pstream::scatterList(ofRanks);
-
-        for (const vectorField& u : ofRanks)
-        {
-            all.append(u);
-        }
-    }
+    const Field<vector> all(facesOfRanks(byPatch));
 
     const bool changed = all.size() != velocities_.size() || all != velocities_;
     velocities_ = all;

@@ -17,16 +17,12 @@ namespace cghs
 }
 
 
-void Foam::cghs::exchange::lookAtContacts
+Foam::cghs::exchange::lookRound Foam::cghs::exchange::lookAt
 (
     const UList<property*>& shown,
     const UList<property*>& collected
 )
 {
-    looksAtContacts_ = true;
-    shown_ = shown;
-    collected_ = collected;
-
     for (const UList<property*>* list : {&shown, &collected})
     {
         for (const property* p : *list)
@@ -40,6 +36,28 @@ void Foam::cghs::exchange::lookAtContacts
             }
         }
     }
+
+    return lookRound{shown, collected};
+}
+
+
+void Foam::cghs::exchange::lookAtContacts
+(
+    const UList<property*>& shown,
+    const UList<property*>& collected
+)
+{
+    contactRounds_.append(lookAt(shown, collected));
+}
+
+
+void Foam::cghs::exchange::lookAtNeighbours
+(
+    const UList<property*>& shown,
+    const UList<property*>& collected
+)
+{
+    neighbourRounds_.append(lookAt(shown, collected));
 }
 
 

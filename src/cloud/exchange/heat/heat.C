@@ -28,6 +28,7 @@ Foam::cghs::heat::heat(const dictionary& dict, const fvMesh& mesh)
     Cp_(positiveScalar(dict, "Cp")),
     law_(heatTransferModel::New(dict)),
     T_("T"),
+    conduction_(dict, Cp_, T_),
     response_(mesh.nCells(), Zero),
     given_(mesh.nCells(), Zero),
     deltaT_(1),
@@ -46,9 +47,34 @@ Foam::cghs::heat::heat(const dictionary& dict, const fvMesh& mesh)
     range_{GREAT, -GREAT, 0},
     warned_(false)
 {
-    warnUnknownEntries(dict, wordList({"Cp", heatTransferModel::typeName}));
+    warnUnknownEntries
+    (
+        dict,
+        wordList({"Cp", heatTransferModel::typeName, "conduction"})
+    );
 
     T_.allow(SMALL, 1e4).readFrom("T").require();
+
+    for (label m = 0; m < conduction_.nModels(); ++m)
+    {
+        walls_.append(balance_.open(conduction_.name(m)));
+    }
+
+    needOfContacts(conduction_.needs());
+    conduction_.forRounds
+    (
+        [&]
+        (
+            const bool layered,
+            const UList<property*>& shown,
+            const UList<property*>& collected
+        )
+        {
+            layered
+          ? lookAtNeighbours(shown, collected)
+          : lookAtContacts(shown, collected);
+        }
+    );
 }
 
 
@@ -57,12 +83,15 @@ void Foam::cghs::heat::addColumns(arena& parcels)
     parcels.add(T_);
     parcels.add(responses_);
     parcels.keep(*this);
+    conduction_.addColumns(parcels);
 }
 
 // * * * * * * * * * * * * * * * * The step  * * * * * * * * * * * * * * * * //
 
-void Foam::cghs::heat::meet(const arena&, carrierFluid& fluid)
+void Foam::cghs::heat::meet(const arena& parcels, carrierFluid& fluid)
 {
+    conduction_.meet(parcels, fluid);
+
     const scalarField& Cp = fluid.field("Cp").primitiveField();
     const scalarField& kappa = fluid.field("kappa").primitiveField();
 
@@ -118,6 +147,12 @@ void Foam::cghs::heat::findResponses
 
 void Foam::cghs::heat::evolve(arena& parcels, const scalar deltaT)
 {
+    conduction_.evolve(deltaT);
+    forAll(walls_, m)
+    {
+        balance_.add(walls_[m], conduction_.fromWalls(m));
+    }
+
     if (!meets_)
     {
         close(parcels, deltaT);
@@ -320,16 +355,19 @@ void Foam::cghs::heat::report(const arena& parcels, Ostream& os) const
         << " K, mean " << range_.mean << " K; they and the fluid differ by "
         << mismatch_ << " W out of " << exchanged_ << " W" << nl;
     balance_.report(os);
+    conduction_.report(os);
 }
 
 
 void Foam::cghs::heat::state(dictionary& state) const
 {
     balance_.state(state);
+    conduction_.state(state);
 }
 
 
 void Foam::cghs::heat::setState(const dictionary& state)
 {
     balance_.setState(state);
+    conduction_.setState(state);
 }

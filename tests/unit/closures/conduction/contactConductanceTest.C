@@ -9,6 +9,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "conductionScaling.H"
+#include "contactConductance.H"
 #include "integral.H"
 #include "claim.H"
 
@@ -178,43 +179,66 @@ TEST_CASE("An impact's heat is the integral over Hertz's motion", "[heat]")
 TEST_CASE("Parcels conduct what their particles do", "[heat]")
 {
     const scalar d = 1e-3, kappa = 0.03, layer = 0.04, s = 2e-6, gap = 1e-5;
+    const scalar stress = 1e3, kappas = 1.5, v = 0.2, rho = 2500;
+    const elasticity soft{1e8, 0.3};
 
-    // Slab of touching spheres in a cubic lattice, 1/d^2 of them on an area:
-    // its conductivity is H/d
-    const auto slab = [&](const scalar W)
+    // By Hertz, of bodies of reduced radius re with a force on them
+    const auto pressed = [&](const scalar re, const scalar force)
     {
-        const scalar k = std::cbrt(W), r = k*d/2;
-        const scalar H = pairLensFactor(W)
-           *particleFluidParticle(0, r, r, layer, k*s, kappa);
-        return H/(2*r);
+        const scalar overlap =
+            hertzOverlap(force, hertzStiffness(re, soft, soft));
+
+        return contactConductance(hertzRadius(re, overlap), kappas, kappas);
     };
 
-    // At the wall, as far away as the real ones are, the lattice's lowest layer passes H/d^2
-    const auto wall = [&](const scalar W)
+    // Of one that meets a wall, per time if its layer is as far apart as it is
+    // large
+    const auto hitting = [&](const scalar r)
     {
-        const scalar k = std::cbrt(W), r = k*d/2;
-        const scalar H = wallLensFactor(W)
-           *particleFluidWall(k*gap, r, layer, k*s, kappa);
-        return H/sqr(2*r);
+        const scalar m = 4.0/3*M_PI*pow3(r)*rho;
+
+        return
+            v/(2*r)*impactHeat
+            (
+                impactOf(v, m, r, hertzStiffness(r, soft, soft)),
+                kappas,
+                kappas
+            );
+    };
+
+    // A slab of touching spheres in a cubic lattice, 1/d^2 of them on an area,
+    // has the conductivity H/d; its lowest layer passes H/d^2
+    struct slab { scalar lens, contact, wallLens, wallContact, wallImpact; };
+
+    const auto slabOf = [&](const scalar W)
+    {
+        const scalar k = std::cbrt(W), r = k*d/2, D = 2*r, force = stress*D*D;
+        const scalar atWall = wallFactor(W)/sqr(D);
+
+        return slab
+        {
+            particleFluidParticle(0, r, r, layer, k*s, kappa)/D,
+            pressed(r/2, force)/D,
+            atWall*particleFluidWall(k*gap, r, layer, k*s, kappa),
+            atWall*pressed(r, force),
+            atWall*hitting(r)
+        };
     };
 
     claim same("conductionScaling.slab", 1e-12);
+    const slab fine = slabOf(1);
+
     for (const scalar W : {8.0, 1000.0})
     {
-        same.see(mag(slab(W)/slab(1) - 1));
-        same.see(mag(wall(W)/wall(1) - 1));
+        const slab coarse = slabOf(W);
+
+        same.see(mag(coarse.lens/fine.lens - 1));
+        same.see(mag(coarse.contact/fine.contact - 1));
+        same.see(mag(coarse.wallLens/fine.wallLens - 1));
+        same.see(mag(coarse.wallContact/fine.wallContact - 1));
+        same.see(mag(coarse.wallImpact/fine.wallImpact - 1));
     }
     same.settle();
-
-    // f(1) = 1; W = 16 gives k^(3/4) = 2
-    claim contact("conductionScaling.contact", 1e-12);
-    contact.see(mag(contactFactor(1, 0.9, 0.9) - 1));
-    contact.see(mag(contactFactor(16, 0.9, 0.9)/2 - 1));
-    contact.see
-    (
-        mag(contactFactor(16, 1, 0.1)*std::sqrt(dampedShare(0.1))/2 - 1)
-    );
-    contact.settle();
 }
 
 } // End namespace cghs
