@@ -292,7 +292,7 @@ void Foam::cghs::conduction::state(dictionary& state) const
 {
     forAll(models_, m)
     {
-        state.add(models_[m].type() + "Between", inAll_[m]);
+        state.add(word(models_[m].type() + "Between"), inAll_[m]);
     }
 }
 
