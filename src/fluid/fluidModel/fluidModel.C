@@ -95,7 +95,7 @@ Foam::cghs::fluidModel::fluidModel
         dimensionedVector(dimPressure/dimLength, Zero)
     ),
     continuityError_(0),
-    options_(fv::options::New(mesh)),
+    options_(nullptr),
     U_
     (
         fieldIO("U", mesh, IOobject::MUST_READ, IOobject::AUTO_WRITE),
@@ -332,6 +332,7 @@ Foam::cghs::fluidModel::New
     {
         fluid->transported_.append(transported::New(name, solution, fluid()));
     }
+    fluid->options_ = &fv::options::New(mesh);
 
     return fluid;
 }
@@ -516,7 +517,7 @@ void Foam::cghs::fluidModel::correctPressure
 
             U_ = HbyA + rAU*reconstruct_((held - pFlux)/rAUf);
             U_.correctBoundaryConditions();
-            options_.correct(U_);
+            options_->correct(U_);
         }
     }
 }
@@ -524,24 +525,24 @@ void Foam::cghs::fluidModel::correctPressure
 
 void Foam::cghs::fluidModel::addSources(fvVectorMatrix& UEqn)
 {
-    source_ = contentSource(options_);
+    source_ = contentSource(*options_);
     source_.ref().rename("contentSource");
 
     // The equation is that of u, not of c u: what comes in is not yet as fast
     UEqn += fvm::Sp(posPart(source_()), U_);
-    UEqn -= momentumSource(options_);
+    UEqn -= momentumSource(*options_);
 }
 
 
 void Foam::cghs::fluidModel::solve(fvVectorMatrix& UEqn)
 {
-    if (options_.size())
+    if (options_->size())
     {
         addSources(UEqn);
     }
 
     UEqn.relax();
-    options_.constrain(UEqn);
+    options_->constrain(UEqn);
 
     const volScalarField rAU("rAU", 1/UEqn.A());
     const surfaceScalarField rAUf("rAUf", fvc::interpolate(rAU));
@@ -670,7 +671,7 @@ void Foam::cghs::fluidModel::solveTransported(const cghsCloud& parcels)
     {
         fluidFlow flow
         {
-            alpha_, rho(), massFlux_(), volumeFlux_(), nullptr, options_
+            alpha_, rho(), massFlux_(), volumeFlux_(), nullptr, *options_
         };
 
         if (source_.valid())
