@@ -11,13 +11,21 @@ namespace Foam
 namespace cghs
 {
 
+//- Of large numbers the largest that can be converted
+static int64_t whole(const scalar number)
+{
+    return int64_t(min(number, scalar(1e18)));
+}
+
+
 static string clockString(const scalar seconds)
 {
-    const long s = long(seconds);
+    const int64_t s = whole(seconds);
     char text[32];
     std::snprintf
     (
-        text, sizeof(text), "%ld:%02ld:%02ld", s/3600, (s/60) % 60, s % 60
+        text, sizeof(text), "%ld:%02ld:%02ld",
+        long(s/3600), long((s/60) % 60), long(s % 60)
     );
 
     return text;
@@ -85,7 +93,7 @@ void Foam::cghs::progress::report(Ostream& os)
 
     if (speed_ > 0)
     {
-        os  << ", " << label(86400*speed_) << " simulated s per day";
+        os  << ", " << whole(86400*speed_) << " simulated s per day";
     }
 
     os  << endl;
