@@ -741,7 +741,8 @@ Foam::cghs::fluidModel::withField(const word& name) const
         << "The fluid has no field " << name << " for parcels" << nl
         << "Known are: " << flatOutput(known) << nl
         << "Name what has it in the entry " << transported::typeName
-        << " in the solution of the cloud's properties, e.g. (energy)" << nl
+        << " in the solution of the cloud's properties, e.g. (energy); G comes"
+        << " with radiation yes in its energyCoeffs" << nl
         << exit(FatalError);
 
     return transported_.first();

@@ -29,6 +29,12 @@ Foam::cghs::heat::heat(const dictionary& dict, const fvMesh& mesh)
     law_(heatTransferModel::New(dict)),
     T_("T"),
     conduction_(dict, Cp_, T_),
+    radiation_
+    (
+        dict.found("radiation")
+      ? new parcelRadiation(dict.subDict("radiation"), mesh)
+      : nullptr
+    ),
     response_(mesh.nCells(), Zero),
     given_(mesh.nCells(), Zero),
     deltaT_(1),
@@ -40,6 +46,8 @@ Foam::cghs::heat::heat(const dictionary& dict, const fvMesh& mesh)
     fromFluid_(balance_.open("fluid")),
     fed_(balance_.open("fed")),
     left_(balance_.open("left")),
+    walls_(),
+    radiated_(radiation_.valid() ? balance_.open("radiation") : -1),
     fedBefore_(0),
     leftBefore_(0),
     mismatch_(0),
@@ -50,7 +58,10 @@ Foam::cghs::heat::heat(const dictionary& dict, const fvMesh& mesh)
     warnUnknownEntries
     (
         dict,
-        wordList({"Cp", heatTransferModel::typeName, "conduction"})
+        wordList
+        ({
+            "Cp", heatTransferModel::typeName, "conduction", "radiation"
+        })
     );
 
     T_.allow(SMALL, 1e4).readFrom("T").require();
@@ -83,6 +94,11 @@ void Foam::cghs::heat::addColumns(arena& parcels)
     parcels.add(T_);
     parcels.add(responses_);
     parcels.keep(*this);
+
+    if (radiation_.valid())
+    {
+        radiation_->addColumns(parcels);
+    }
     conduction_.addColumns(parcels);
 }
 
@@ -96,6 +112,13 @@ void Foam::cghs::heat::meet(const arena& parcels, carrierFluid& fluid)
     const scalarField& kappa = fluid.field("kappa").primitiveField();
 
     meets_ = true;
+
+    if (radiation_.valid())
+    {
+        // Stop now if it has none
+        fluid.field("G");
+    }
+
     U_ = fluid.U().primitiveField();
     fluidT_ = fluid.field("T").primitiveField();
     fluid_.setSize(mesh_.nCells());
@@ -133,10 +156,13 @@ void Foam::cghs::heat::findResponses
     SubList<scalar> Nu(Nu_, n);
     law_->nusselts(SubList<heatedFlow>(flows_, n), Nu);
 
+    // So that both together do not shoot over
+    const scalar share = radiation_.valid() ? 0.5 : 1;
+
     for (label j = 0; j < n; ++j)
     {
         const label i = from + j;
-        const scalar C = capacity(parcels, i);
+        const scalar C = share*capacity(parcels, i);
         const scalar k =
             parcels.weights[i]*convectiveConductance(flows_[j], Nu[j]);
 
@@ -170,6 +196,11 @@ void Foam::cghs::heat::evolve(arena& parcels, const scalar deltaT)
             min(blockSize_, parcels.size() - from),
             deltaT
         );
+    }
+
+    if (radiation_.valid())
+    {
+        radiation_->emit(parcels, T_, Cp_, deltaT);
     }
 }
 
@@ -262,6 +293,17 @@ void Foam::cghs::heat::complete
     }
 
     balance_.add(fromFluid_, sums[0]);
+
+    if (radiation_.valid())
+    {
+        const volScalarField& G = fluid.field("G");
+
+        balance_.add
+        (
+            radiated_,
+            radiation_->absorb(parcels, T_, Cp_, G, deltaT)
+        );
+    }
 
     if (twoWay_)
     {

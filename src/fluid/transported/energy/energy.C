@@ -29,6 +29,12 @@ Foam::cghs::energy::energy(const dictionary& dict, fluidModel& fluid)
     he_(thermo_.he()),
     conductivity_(conductivityModel::New(dict)),
     pressureWork_(readPressureWork(dict)),
+    radiation_
+    (
+        dict.getOrDefault<bool>("radiation", false)
+      ? readRadiation()
+      : autoPtr<radiation::radiationModel>()
+    ),
     Cp_("Cp", thermo_.Cpv()),
     kappa_("kappa", thermo_.kappa()),
     dT_("dT", 0*thermo_.T())
@@ -36,7 +42,7 @@ Foam::cghs::energy::energy(const dictionary& dict, fluidModel& fluid)
     warnUnknownEntries
     (
         dict,
-        wordList({"conductivityModel", "pressureWork"})
+        wordList({"conductivityModel", "pressureWork", "radiation"})
     );
     thermo_.validate("cghsFoam", "h", "e");
     restart();
@@ -60,6 +66,36 @@ bool Foam::cghs::energy::readPressureWork(const dictionary& dict) const
     }
 
     return wanted;
+}
+
+
+Foam::autoPtr<Foam::radiation::radiationModel>
+Foam::cghs::energy::readRadiation() const
+{
+    autoPtr<radiation::radiationModel> model
+    (
+        radiation::radiationModel::New(thermo_.T())
+    );
+
+    if (!he_.mesh().foundObject<volScalarField>("G"))
+    {
+        FatalIOErrorInFunction(model())
+            << "Entry radiationModel is " << model->type()
+            << ", which has no incident radiation G" << nl
+            << "Valid choices: P1, fvDOM. Or have no radiation in energyCoeffs"
+            << nl << exit(FatalIOError);
+    }
+
+    const label every = model->getOrDefault<label>("solverFreq", 1);
+    if (every != 1)
+    {
+        FatalIOErrorInFunction(model())
+            << "Entry solverFreq is " << every << " but must be 1: parcels"
+            << " receive in each step what G has" << nl
+            << exit(FatalIOError);
+    }
+
+    return model;
 }
 
 
@@ -196,6 +232,15 @@ void Foam::cghs::energy::solve
         heEqn -= power();
     }
 
+    tmp<fvScalarMatrix> radiated;
+
+    if (radiation_.valid())
+    {
+        radiation_->correct();
+        radiated = radiation_->Sh(thermo_, he_);
+        heEqn -= radiated();
+    }
+
     if (flow.options.size())
     {
         sources = flow.options(flow.alpha, flow.rho, he_);
@@ -221,6 +266,11 @@ void Foam::cghs::energy::solve
     if (pressureWork_)
     {
         balance_.pressure = add(power());
+    }
+
+    if (radiated.valid())
+    {
+        balance_.radiation = add(radiated() & he_);
     }
 
     if (sources.valid())
@@ -330,7 +380,8 @@ void Foam::cghs::energy::report(Ostream& os) const
         << " W, walls " << balance_.walls
         << " W, parcels " << balance_.parcels
         << " W, sources " << balance_.sources
-        << " W, pressure " << balance_.pressure << " W" << nl
+        << " W, pressure " << balance_.pressure
+        << " W, radiation " << balance_.radiation << " W" << nl
         << "        energy from nowhere " << defect << " W, relative "
         << mag(defect)/max(balance_.scale, VSMALL)
         << "; T from " << gMin(T) << " to " << gMax(T) << " K" << nl;
@@ -340,7 +391,14 @@ void Foam::cghs::energy::report(Ostream& os) const
 
 Foam::wordList Foam::cghs::energy::fieldNames() const
 {
-    return wordList({thermo_.T().name(), Cp_.name(), kappa_.name()});
+    wordList names({thermo_.T().name(), Cp_.name(), kappa_.name()});
+
+    if (radiation_.valid())
+    {
+        names.append("G");
+    }
+
+    return names;
 }
 
 
@@ -348,7 +406,8 @@ const Foam::volScalarField&
 Foam::cghs::energy::field(const word& name) const
 {
     return
-        name == Cp_.name() ? Cp_
+        name == "G" ? he_.mesh().lookupObject<volScalarField>(name)
+      : name == Cp_.name() ? Cp_
       : name == kappa_.name() ? kappa_
       : thermo_.T();
 }
