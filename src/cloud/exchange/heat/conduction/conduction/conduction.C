@@ -124,11 +124,17 @@ void Foam::cghs::conduction::meet
 
     forAll(wallPatches_, k)
     {
-        byPatch[k] = givenTemperatures
-        (
-            T.boundaryField()[wallPatches_[k]],
-            nFacesOf(T.mesh(), wallPatches_[k])
-        );
+        const fvPatchScalarField& at = T.boundaryField()[wallPatches_[k]];
+
+        if (wallT_.empty() && isA<mixedFvPatchScalarField>(at))
+        {
+            // At the start of a run it does not know yet what it is: the
+            // fluid has not been solved for
+            const_cast<fvPatchScalarField&>(at).evaluate();
+        }
+
+        byPatch[k] =
+            givenTemperatures(at, nFacesOf(T.mesh(), wallPatches_[k]));
     }
     wallT_ = facesOfRanks(byPatch);
 
