@@ -16,10 +16,9 @@ PROJECT = next((folder for folder in Path(__file__).resolve().parents
 if PROJECT is None:
     sys.exit(f"{Path(__file__).parent} is not within a cghsFoam")
 sys.path.append(str(PROJECT / "tutorials" / "lib"))
-from fluidisedBed import FluidisedBed  # noqa: E402
+from methodBeds import MethodBed, rows_of_runs, runs_by_method  # noqa: E402
 from tutorial import (  # noqa: E402
-    BLOCKS, clock_series, mean_of, np, number, of, option, ranks, ratio_of,
-    stop,
+    BLOCKS, mean_of, np, of, option, ratio_of,
 )
 
 # The reference first; the others as the chapter's figures have them
@@ -28,12 +27,11 @@ METHODS = ("dem", "cgdem", "cghs")
 HEIGHTS = {"low": 0.05, "high": 0.11}  # [m] of Figs 16 and 17
 
 
-class Bed(FluidisedBed):
+class Bed(MethodBed):
     """A run by one method."""
 
     def __init__(self, case):
         super().__init__(case)
-        self.name = self.case.name
         self.profiles_from = option(self.case, "profilesFrom")
         self.tables = sorted(
             (self.case / "postProcessing" / "profiles").glob("*"),
@@ -46,25 +44,6 @@ class Bed(FluidisedBed):
         ]
         if len(self.averaged) >= 2 * max(BLOCKS):
             self.window = (start, float(self.averaged[-1].name))
-
-    def parcel_weight(self):
-        return number(self.case / "constant" / "method", "weight")
-
-    def count_of_parcels(self):
-        return int(number(self.case / "constant" / "method", "nParcels"))
-
-    def overlap_limit(self):
-        """Largest overlap to expect, over the diameter, and why: of two hard
-        spheres that each moved by maxDisplacement, or of two soft ones that
-        meet at 4 m/s."""
-        method = self.case / "constant" / "method"
-        stiffness = number(method, "springConstant", 0)
-        if not stiffness:
-            return 0.2, "limit: two parcels, 0.1 d a step each"
-        mass = self.mass / self.n_parcels
-        d = self.diameter * self.weight_of_parcel**(1 / 3)
-        return (4 * np.sqrt(0.5 * mass / stiffness) / d,
-                "limit: two parcels that meet at 4 m/s")
 
     # Profiles
 
@@ -112,18 +91,6 @@ class Bed(FluidisedBed):
                 self.mean(self.parcels["granularTemperature"]),
         }
 
-    def cost(self):
-        """Processor seconds for a simulated second, from the gas on."""
-        time, spent = clock_series(self.case, "ExecutionTime")
-        start = min(self.gas_on or 0, 0.5 * time[-1])
-        used = spent[-1] - np.interp(start, np.maximum.accumulate(time), spent)
-        return ranks(self.case) * used / (time[-1] - start)
-
-    def solids_step(self):
-        """Mean length of a solids step in the window or the run [s]."""
-        steps = self.parcels["nSolidsSteps"]
-        return self.dt[1:].sum() / steps[1:].sum()
-
 
 def difference(bed, reference, name, quantity):
     """Root mean square, along a profile folded about the middle, of the
@@ -137,10 +104,4 @@ def difference(bed, reference, name, quantity):
 
 def beds_in(folder):
     """The runs in a folder, by the name of their method."""
-    beds = {
-        name: Bed(Path(folder) / name) for name in METHODS
-        if list((Path(folder) / name).glob("postProcessing/parcels/*/*.dat"))
-    }
-    if not beds:
-        stop(f"{folder} has no runs: run ./Allrun first")
-    return beds
+    return runs_by_method(folder, METHODS, Bed)

@@ -11,7 +11,7 @@
 import subprocess
 import sys
 
-from tutorial import np
+from tutorial import np, of
 
 try:
     import matplotlib
@@ -98,3 +98,36 @@ def draw_parcels(axes, place, diameter, values, bounds, colours="viridis"):
     axes.add_collection(discs)
     axes.set_aspect("equal")
     return discs
+
+
+def draw_slices(beds, path, top, thickness, field, label, bounds=None,
+                colours="viridis"):
+    """The parcels of each run in a slice in the middle of the depth, at the
+    last time that all have reached, up to the height top. field(bed, time): a
+    value of each; bounds: of the colours, else those of what is drawn."""
+    common = set.intersection(*(set(bed.frames) for bed in beds.values()))
+    time = max(common, key=float, default=None)
+    if time is None:
+        return
+    shape = top / max(bed.size[0] for bed in beds.values())
+    figure, row = pyplot.subplots(
+        1, len(beds), figsize=(2.8 * len(beds) + 1.4, 2.6 * shape + 1.2),
+        layout="constrained", squeeze=False, sharey=True)
+    drawn = []
+    for axes, bed in zip(row[0], beds.values()):
+        x = of.positions(bed.case, time, "parcels")
+        near = abs(x[:, 2] - 0.5 * bed.size[2]) < 0.5 * thickness
+        drawn.append(draw_parcels(
+            axes, x[near, :2], np.full(near.sum(), bed.parcel_diameter()),
+            field(bed, time)[near], bounds or (0, 1), colours))
+        axes.set_title(f"{bed.name}, t = {time} s", loc="left", fontsize=10)
+        axes.set_xlim(0, bed.size[0])
+        axes.set_ylim(0, top)
+        axes.set_xlabel("x (m)")
+    if not bounds:
+        values = np.concatenate([discs.get_array() for discs in drawn])
+        for discs in drawn:
+            discs.set_clim(values.min(), values.max())
+    row[0][0].set_ylabel("height (m)")
+    figure.colorbar(drawn[-1], ax=row[0], label=label, shrink=0.6)
+    save(figure, path)

@@ -299,3 +299,92 @@ conclude()
     echo
     echo "results: $folder/results/results.md"
 }
+
+
+#------------------------------------------------------------------------------
+# One bed by several methods: the files of the folder methods, each of which is
+# run, as constant/method, in a folder of its name. In place of the stages above
+# the Allrun has
+#
+#     readOptions quick methods= hours= -- "$@"
+#     chooseMethods NAME...
+#     runOptions() { ...; }       # knows the method's name as $method
+#
+#     buildProject
+#     runMethods
+#------------------------------------------------------------------------------
+
+# Those that the option methods= names, else the given ones:
+# chooseMethods NAME...
+chooseMethods()
+{
+    local method
+    read -ra methods <<< "${option[methods]:-$*}"
+    for method in "${methods[@]}"
+    do
+        [ -e "methods/$method" ] || fail "there is no method '$method':" \
+            "choose among $(cd methods && echo *)"
+    done
+}
+
+
+# Mesh, parcels, ranks
+prepare()
+{
+    cp -r 0.orig 0
+    runApplication blockMesh
+    runApplication fillParcels
+    [ "$ranks" -eq 1 ] || runApplication decomposePar
+}
+
+
+# Is it time to pause? Whoever calls is to get on by one written time, at least
+isLate()
+{
+    [ -n "$ran" ] && [ -n "$deadline" ] && [ "$SECONDS" -ge "$deadline" ]
+}
+
+
+# The run of the method, in the folder of its name
+simulate()
+{
+    local from="$PWD"
+    if [ ! -e "$method/constant/method" ]
+    then
+        freshCase "$method"
+        cp "$here/methods/$method" "$method/constant/method"
+    fi
+    cd "$method" || exit
+    echo "$method:"
+    beginOrContinue
+    runToEnd
+    cd "$from" || exit
+}
+
+
+# One after the other, then the page of results, with the choice quick in the
+# folder of that name
+runMethods()
+{
+    local cores="$ranks" method folder="$here"
+    if [ "$choice" = quick ]
+    then
+        folder="$here/quick"
+        mkdir -p "$folder"
+        cd "$folder" || exit
+    fi
+
+    for method in "${methods[@]}"
+    do
+        if isLate
+        then
+            paused=yes
+            continue
+        fi
+        ranks="$cores"
+        simulate
+    done
+
+    conclude "$folder" "$folder"
+    [ -z "$paused" ] || echo "paused: Allrun with the same options continues"
+}
