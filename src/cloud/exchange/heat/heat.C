@@ -48,8 +48,6 @@ Foam::cghs::heat::heat(const dictionary& dict, const fvMesh& mesh)
     left_(balance_.open("left")),
     walls_(),
     radiated_(radiation_.valid() ? balance_.open("radiation") : -1),
-    fedBefore_(0),
-    leftBefore_(0),
     mismatch_(0),
     exchanged_(0),
     range_{GREAT, -GREAT, 0},
@@ -338,10 +336,9 @@ void Foam::cghs::heat::close(const arena& parcels, const scalar deltaT)
     reduce(range_.most, maxOp<scalar>());
     range_.mean = sums[0]/max(sums[1], VSMALL);
 
-    balance_.add(fed_, carriedIn() - fedBefore_);
-    balance_.add(left_, leftBefore_ - carriedOut());
-    fedBefore_ = carriedIn();
-    leftBefore_ = carriedOut();
+    balance_.add(fed_, carriedIn());
+    balance_.add(left_, -carriedOut());
+    clear();
     balance_.close(enthalpy, deltaT);
 
     if (sums[1] > 0)
@@ -404,6 +401,10 @@ void Foam::cghs::heat::report(const arena& parcels, Ostream& os) const
 void Foam::cghs::heat::state(dictionary& state) const
 {
     balance_.state(state);
+
+    // Parcels that are taken out before they are written count in the next step
+    state.add("comingIn", returnReduce(carriedIn(), sumOp<scalar>()));
+    state.add("goingOut", returnReduce(carriedOut(), sumOp<scalar>()));
     conduction_.state(state);
 }
 
@@ -411,5 +412,14 @@ void Foam::cghs::heat::state(dictionary& state) const
 void Foam::cghs::heat::setState(const dictionary& state)
 {
     balance_.setState(state);
+
+    if (Pstream::master())
+    {
+        clear
+        (
+            state.getOrDefault<scalar>("comingIn", 0),
+            state.getOrDefault<scalar>("goingOut", 0)
+        );
+    }
     conduction_.setState(state);
 }
