@@ -82,12 +82,26 @@ Foam::PtrList<Foam::cghs::exchange> Foam::cghs::exchange::New
       ? *dictionaryConstructorTablePtr_
       : none;
 
-    for (const word& name : subModels.get<wordList>("exchanges"))
+    const wordList names(subModels.get<wordList>("exchanges"));
+
+    forAll(names, i)
     {
+        const word& name = names[i];
+
+        if (names.find(name) != i)
+        {
+            FatalIOErrorInFunction(subModels)
+                << "Entry exchanges is " << flatOutput(names) << ": it names "
+                << name << " twice" << nl
+                << "Name each exchange once" << nl
+                << exit(FatalIOError);
+        }
+
         models.append
         (
             selectNamed<exchange>(name, subModels, table, mesh).ptr()
         );
+        models.last().checkCase(subModels.topDict());
         models.last().addColumns(parcels);
     }
 

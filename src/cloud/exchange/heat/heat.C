@@ -87,6 +87,55 @@ Foam::cghs::heat::heat(const dictionary& dict, const fvMesh& mesh)
 }
 
 
+void Foam::cghs::heat::checkCase(const dictionary& properties) const
+{
+    const dictionary& solution = properties.subDict("solution");
+    const wordList transported
+    (
+        solution.getOrDefault("transported", wordList())
+    );
+
+    if (solution.get<word>("coupling") == "none")
+    {
+        WarningInFunction
+            << "Entry exchanges of " << properties.name() << " has heat, but"
+            << " coupling is none: there is no fluid, and nothing is exchanged"
+            << nl << "    Choose oneWay or twoWay" << nl << endl;
+    }
+    else if (!transported.found("energy"))
+    {
+        FatalIOErrorInFunction(solution)
+            << "Entry transported is " << flatOutput(transported)
+            << ", but exchanges has heat, which needs the fluid's energy" << nl
+            << "Write transported (energy), or take heat out of exchanges" << nl
+            << exit(FatalIOError);
+    }
+
+    warnOfCelsius(properties.subOrEmptyDict("constantProperties"));
+    for (const entry& e : properties.subOrEmptyDict("feeding"))
+    {
+        if (e.isDict())
+        {
+            warnOfCelsius(e.dict());
+        }
+    }
+}
+
+
+void Foam::cghs::heat::warnOfCelsius(const dictionary& dict)
+{
+    const scalar T = dict.getOrDefault<scalar>("T", 293);
+
+    if (T > 0 && T < 100)
+    {
+        WarningInFunction
+            << "Entry T is " << T << " in " << dict.name() << ", which is very"
+            << " cold for an absolute temperature [K]" << nl
+            << "    If these are degrees Celsius, add 273.15" << nl << endl;
+    }
+}
+
+
 void Foam::cghs::heat::addColumns(arena& parcels)
 {
     parcels.add(T_);
