@@ -89,8 +89,9 @@ TEST_CASE("Nu of a single sphere falls to 2 in a still fluid", "[heat]")
     for (const word& name : heatTransferModel::names())
     {
         const autoPtr<heatTransferModel> law(heatLawOf(name));
-        still.see(mag(law->nusselt(flowAt(1, 0, 0.7)) - 2));
-        nearlyStill.see(mag(law->nusselt(flowAt(1, 1e-40, 0.7)) - 2));
+        const scalar limit = name == "none" ? 0 : 2;
+        still.see(mag(law->nusselt(flowAt(1, 0, 0.7)) - limit));
+        nearlyStill.see(mag(law->nusselt(flowAt(1, 1e-40, 0.7)) - limit));
     }
     still.settle();
     nearlyStill.settle();
