@@ -199,6 +199,43 @@ Foam::tmp<Foam::fvScalarMatrix> Foam::cghs::energy::transport
 }
 
 
+bool Foam::cghs::energy::advance
+(
+    tangent& at,
+    const volScalarField& response
+) const
+{
+    constexpr label most = 5;
+    constexpr scalar tolerance = 1e-6;
+
+    const labelList cells(identity(he_.mesh().nCells()));
+    const scalarField& p = thermo_.p().primitiveField();
+    const scalarField T
+    (
+        thermo_.T().primitiveField() + dT_.primitiveField()
+    );
+    const scalarField he(thermo_.he(p, T, cells));
+    const scalarField misfit
+    (
+        pos(response.primitiveField() - VSMALL)
+       *mag(he - he_.primitiveField())/(at.Cp.primitiveField()*T)
+    );
+
+    if (++at.pass == most || gMax(misfit) < tolerance)
+    {
+        return false;
+    }
+
+    const scalarField h(1e-4*T);
+    at.T.primitiveFieldRef() = T;
+    at.he.primitiveFieldRef() = he;
+    at.Cp.primitiveFieldRef() =
+        (thermo_.he(p, T + h, cells) - thermo_.he(p, T - h, cells))/(2*h);
+
+    return true;
+}
+
+
 void Foam::cghs::energy::solve
 (
     const fluidFlow& flow,
@@ -212,24 +249,14 @@ void Foam::cghs::energy::solve
         "conduction",
         conductivity_->conductivity(flow.alpha, kappa_, Cp_, fluid_.mut())/Cp_
     );
-    fvScalarMatrix heEqn(transport(flow, conduction));
-
-    const tmp<volScalarField> before(he_.oldTime());
+    fvScalarMatrix others(transport(flow, conduction));
     tmp<volScalarField> power;
-    tmp<volScalarField> response;
     tmp<fvScalarMatrix> sources;
-
-    if (terms.any())
-    {
-        response = terms.response()/Cp_;
-        heEqn += fvm::Sp(response(), he_);
-        heEqn -= terms.given() + response()*before();
-    }
 
     if (pressureWork_)
     {
         power = pressurePower(flow);
-        heEqn -= power();
+        others -= power();
     }
 
     tmp<fvScalarMatrix> radiated;
@@ -244,15 +271,39 @@ void Foam::cghs::energy::solve
     if (flow.options.size())
     {
         sources = flow.options(flow.alpha, flow.rho, he_);
-        heEqn -= sources();
+        others -= sources();
     }
 
-    heEqn.relax();
-    flow.options.constrain(heEqn);
-    heEqn.solve();
-    flow.options.correct(he_);
+    tangent at
+    {
+        volScalarField("tangent:T", thermo_.T()),
+        volScalarField("tangent:he", he_.oldTime()),
+        volScalarField("tangent:Cp", Cp_),
+        0
+    };
 
-    dT_ = (he_ - before())/Cp_;
+    do
+    {
+        fvScalarMatrix heEqn(others);
+
+        if (terms.any())
+        {
+            const volScalarField slope(terms.response()/at.Cp);
+
+            heEqn += fvm::Sp(slope, he_);
+            heEqn -=
+                terms.given() + slope*at.he
+              - terms.response()*(at.T - thermo_.T());
+        }
+
+        heEqn.relax();
+        flow.options.constrain(heEqn);
+        heEqn.solve();
+        flow.options.correct(he_);
+
+        dT_ = at.T - thermo_.T() + (he_ - at.he)/at.Cp;
+    }
+    while (terms.any() && advance(at, terms.response()));
 
     balance_ = balance();
     addStored(flow);
