@@ -265,7 +265,7 @@ void Foam::cghs::energy::solve
     {
         radiation_->correct();
         radiated = radiation_->Sh(thermo_, he_);
-        heEqn -= radiated();
+        others -= radiated();
     }
 
     if (flow.options.size())
