@@ -405,8 +405,8 @@ void Foam::cghs::heat::checkRange()
     {
         warned_ = true;
         WarningInFunction
-            << "Entry T of parcels is " << range_.least << " K at least, which"
-            << " is very cold" << nl
+            << "Parcels have a T of " << range_.least << " K, which is very"
+            << " cold" << nl
             << "    If degrees Celsius are meant in constantProperties, in"
             << " feeding or in the file of T, add 273.15" << nl << endl;
     }

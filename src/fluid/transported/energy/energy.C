@@ -86,6 +86,16 @@ Foam::cghs::energy::readRadiation() const
             << nl << exit(FatalIOError);
     }
 
+    const word scatter(model->getOrDefault<word>("scatterModel", "none"));
+    if (model->type() == "P1" && scatter == "none")
+    {
+        FatalIOErrorInFunction(model())
+            << "Entry scatterModel is none: P1 has no solution where there are"
+            << " no parcels and the gas is transparent" << nl
+            << "Choose the scatterModel parcels, with a small background" << nl
+            << exit(FatalIOError);
+    }
+
     const label every = model->getOrDefault<label>("solverFreq", 1);
     if (every != 1)
     {

@@ -37,6 +37,13 @@ Foam::cghs::parcelRadiation::parcelRadiation
         dimensionedScalar(dimPower/dimVolume, Zero),
         zeroGradientFvPatchScalarField::typeName
     ),
+    scatter_
+    (
+        IOobject(scatterName(), mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar(dimless/dimLength, Zero),
+        zeroGradientFvPatchScalarField::typeName
+    ),
     hottest_(0)
 {
     warnUnknownEntries(dict, wordList({"emissivity"}));
@@ -64,6 +71,7 @@ void Foam::cghs::parcelRadiation::emit
     const scalar sigma = constant::physicoChemical::sigma.value();
     scalarField& a = absorption_.primitiveFieldRef();
     scalarField& E = emission_.primitiveFieldRef();
+    scalarField& again = scatter_.primitiveFieldRef();
 
     scalar Tm = hottest_;
     for (label i = 0; i < parcels.size(); ++i)
@@ -74,6 +82,7 @@ void Foam::cghs::parcelRadiation::emit
 
     a = Zero;
     E = Zero;
+    again = Zero;
 
     for (label i = 0; i < parcels.size(); ++i)
     {
@@ -87,13 +96,16 @@ void Foam::cghs::parcelRadiation::emit
         emitted_[i] = 4*sigma*pow4(T[i]);
 
         a[parcels.cells[i]] += areas_[i];
+        again[parcels.cells[i]] += area - areas_[i];
         E[parcels.cells[i]] += areas_[i]*emitted_[i];
     }
 
     a /= absorption_.mesh().V();
     E /= absorption_.mesh().V();
+    again /= absorption_.mesh().V();
     absorption_.correctBoundaryConditions();
     emission_.correctBoundaryConditions();
+    scatter_.correctBoundaryConditions();
 }
 
 
