@@ -35,12 +35,14 @@ CHAPTER_CONVECTION = (150.0, 100.0)
 CHAPTER_CONDUCTION = (80.0, 50.0)
 CHAPTER_END = 10.0  # [s]
 
+BED_TOP = 0.08  # [m]: most parcels are below
+
 ENERGY = ("stored", "inflow", "walls", "parcels")
 
 
 class Bed(MethodBed):
-    """A run by one method. Temperatures in K, heat in J, powers in W. inflow and
-    outflow are superficial velocities at the inlet's density."""
+    """A run by one method. Temperatures in K, heat in J, powers in W. inflow
+    and outflow are superficial velocities at the inlet's density."""
 
     def __init__(self, case):
         super().__init__(case)
@@ -60,6 +62,8 @@ class Bed(MethodBed):
         self.outlet_pressure = number(self.case / "0.orig" / "p",
                                       r"internalField\s+uniform")
         self.gas_Cp = number(thermo, "Cp")
+        self.conductivity = (
+            number(thermo, "mu") * self.gas_Cp / number(thermo, "Pr"))
         self.psi = number(thermo, "molWeight") / (GAS_CONSTANT * self.cold)
         super().read_inputs()
         self.capacity = self.mass * number(parcels, "Cp")  # of parcels [J/K]
@@ -144,6 +148,25 @@ class Bed(MethodBed):
         time = self.fluid["time"]
         total = np.cumsum(-self.fluid["walls"] * np.diff(time, prepend=0))
         return np.interp(self.time, np.r_[0, time], np.r_[0, total])
+
+    def walls_at(self, time):
+        """By rows of cells over the height, the floor in the first: heat that
+        the gas gives the walls at a written time, through half a cell [W]."""
+        def cells(name):
+            field = np.asarray(of.field(self.case, time, name), float)
+            return np.broadcast_to(field, self.cells.prod()).reshape(
+                self.cells[::-1])
+
+        flux = (2 * self.conductivity * cells("alpha")
+                * (cells("T") - self.cold))  # over the cell's length [W/m]
+        dx, dy, dz = self.size / self.cells
+        watts = ((flux[:, :, 0] + flux[:, :, -1]).sum(axis=0) * dy * dz / dx
+                 + (flux[0] + flux[-1]).sum(axis=1) * dx * dy / dz)
+        watts[0] += flux[:, 0].sum() * dx * dz / dy
+        return watts
+
+    def walls_below(self, height, time):
+        return self.walls_at(time)[self.centres(1) < height].sum()
 
     def temperature(self, figure="TMean"):
         """At the steps."""
