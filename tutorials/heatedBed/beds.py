@@ -30,9 +30,11 @@ GAS_CONSTANT = 8314.47  # [J/kmol/K]
 # Of exchangeHistory, what is no way by which heat comes
 NO_MECHANISM = ("TMin", "TMean", "TMax", "stored")
 
-# What the chapter's text says of the start and of 10 s [W]: Figs 20A and 20B
+# What the chapter's text says of the start and of 10 s [W]: Figs 20A and 20B;
+# and of conduction by contact all the time, Fig 20C
 CHAPTER_CONVECTION = (150.0, 100.0)
 CHAPTER_CONDUCTION = (80.0, 50.0)
+CHAPTER_CONTACT = 1.0
 CHAPTER_END = 10.0  # [s]
 
 BED_TOP = 0.08  # [m]: most parcels are below
