@@ -104,7 +104,8 @@ def draw_slices(beds, path, top, thickness, field, label, bounds=None,
                 colours="viridis"):
     """The parcels of each run in a slice in the middle of the depth, at the
     last time that all have reached, up to the height top. field(bed, time): a
-    value of each; bounds: of the colours, else those of what is drawn."""
+    value of each; bounds: of the colours, else those that all but 2 % at each
+    end of what is drawn are in."""
     common = set.intersection(*(set(bed.frames) for bed in beds.values()))
     time = max(common, key=float, default=None)
     if time is None:
@@ -125,9 +126,11 @@ def draw_slices(beds, path, top, thickness, field, label, bounds=None,
         axes.set_ylim(0, top)
         axes.set_xlabel("x (m)")
     if not bounds:
-        values = np.concatenate([discs.get_array() for discs in drawn])
+        values = np.concatenate(
+            [np.asarray(discs.get_array()) for discs in drawn])
         for discs in drawn:
-            discs.set_clim(values.min(), values.max())
+            discs.set_clim(*np.percentile(values, (2, 98)))
     row[0][0].set_ylabel("height (m)")
-    figure.colorbar(drawn[-1], ax=row[0], label=label, shrink=0.6)
+    figure.colorbar(drawn[-1], ax=row[0], label=label, shrink=0.6,
+                    extend="neither" if bounds else "both")
     save(figure, path)
