@@ -155,8 +155,11 @@ void Foam::cghs::heat::meet(const arena& parcels, carrierFluid& fluid)
 {
     conduction_.meet(parcels, fluid);
 
-    const scalarField& Cp = fluid.field("Cp").primitiveField();
-    const scalarField& kappa = fluid.field("kappa").primitiveField();
+    const scalarField& alpha = fluid.alpha();
+    const scalarField& rho = fluid.rho();
+    const scalarField& mu = fluid.mu();
+    const scalarField& Cp = fluid.field("Cp");
+    const scalarField& kappa = fluid.field("kappa");
 
     meets_ = true;
 
@@ -174,9 +177,9 @@ void Foam::cghs::heat::meet(const arena& parcels, carrierFluid& fluid)
     {
         heatedFlow& f = fluid_[celli];
 
-        f.e = fluid.alpha()[celli];
-        f.rho = fluid.rho()[celli];
-        f.mu = fluid.mu()[celli];
+        f.e = alpha[celli];
+        f.rho = rho[celli];
+        f.mu = mu[celli];
         f.Cp = Cp[celli];
         f.kappa = kappa[celli];
     }
@@ -366,7 +369,7 @@ void Foam::cghs::heat::complete
 void Foam::cghs::heat::close(const arena& parcels, const scalar deltaT)
 {
     scalar enthalpy = 0;
-    scalarField sums(2, Zero);
+    scalar sumC = 0;
     range_.least = GREAT;
     range_.most = -GREAT;
 
@@ -375,22 +378,21 @@ void Foam::cghs::heat::close(const arena& parcels, const scalar deltaT)
         const scalar C = capacity(parcels, i);
 
         enthalpy += C*T_[i];
-        sums[1] += C;
+        sumC += C;
         range_.least = min(range_.least, T_[i]);
         range_.most = max(range_.most, T_[i]);
     }
-    sums[0] = enthalpy;
-    reduce(sums, sumOp<scalarField>());
+    reduce(sumC, sumOp<scalar>());
     reduce(range_.least, minOp<scalar>());
     reduce(range_.most, maxOp<scalar>());
-    range_.mean = sums[0]/max(sums[1], VSMALL);
 
     balance_.add(fed_, carriedIn());
     balance_.add(left_, -carriedOut());
     clear();
     balance_.close(enthalpy, deltaT);
+    range_.mean = balance_.stored()/max(sumC, VSMALL);
 
-    if (sums[1] > 0)
+    if (sumC > 0)
     {
         checkRange();
     }
