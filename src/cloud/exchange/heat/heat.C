@@ -126,7 +126,7 @@ void Foam::cghs::heat::warnOfCelsius(const dictionary& dict)
 {
     const scalar T = dict.getOrDefault<scalar>("T", 293);
 
-    if (T > 0 && T < 100)
+    if (T > 0 && T < cold_)
     {
         WarningInFunction
             << "Entry T is " << T << " in " << dict.name() << ", which is very"
@@ -401,9 +401,7 @@ void Foam::cghs::heat::close(const arena& parcels, const scalar deltaT)
 
 void Foam::cghs::heat::checkRange()
 {
-    constexpr scalar cold = 100;
-
-    if (range_.least < cold && !warned_)
+    if (range_.least < cold_ && !warned_)
     {
         warned_ = true;
         WarningInFunction
