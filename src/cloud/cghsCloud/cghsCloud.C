@@ -315,6 +315,10 @@ void Foam::cghs::cghsCloud::enterFluid()
 
     if (twoWay)
     {
+        if (contacts_.needed())
+        {
+            momentum_->startHolding();
+        }
         momentum_->leave(parcels_, 0);
     }
 }
@@ -489,7 +493,10 @@ void Foam::cghs::cghsCloud::solidsStep
         }
         for (cghs::exchange& e : exchanges_)
         {
-            e.kick(parcels_, half);
+            if (e.kick(parcels_, half))
+            {
+                contacts_.resized(0);
+            }
         }
     }
 
@@ -504,11 +511,24 @@ void Foam::cghs::cghsCloud::solidsStep
         }
         for (cghs::exchange& e : exchanges_)
         {
-            e.kickAgain(parcels_, half, last, fluidDeltaT);
+            if (e.kickAgain(parcels_, half))
+            {
+                contacts_.resized(0);
+            }
         }
     }
 
     contacts_.correct(parcels_, deltaT);
+
+    {
+        addProfiling(suspension, "cghs::suspension");
+
+        for (cghs::exchange& e : exchanges_)
+        {
+            e.settle(parcels_, half, last, fluidDeltaT);
+        }
+    }
+
     lendContacts(deltaT);
     if (last)
     {
@@ -525,6 +545,11 @@ void Foam::cghs::cghsCloud::lendContacts(const scalar deltaT)
     for (cghs::exchange& e : exchanges_)
     {
         const UList<cghs::exchange::lookRound>& rounds = e.contactRounds();
+
+        if (rounds.size())
+        {
+            contacts_.refreshSizes(parcels_);
+        }
 
         forAll(rounds, k)
         {

@@ -466,6 +466,16 @@ void Foam::cghs::contactStage::sweep
 }
 
 
+void Foam::cghs::contactStage::refreshSizes(arena& parcels)
+{
+    if (resized_ && ranks_.active())
+    {
+        ranks_.refreshSizes(parcels);
+    }
+    resized_ = false;
+}
+
+
 void Foam::cghs::contactStage::impacts(arena& parcels, const scalar deltaT)
 {
     if (!needed())
@@ -475,15 +485,12 @@ void Foam::cghs::contactStage::impacts(arena& parcels, const scalar deltaT)
 
     addProfiling(contact, "cghs::contact");
 
+    refreshSizes(parcels);
+
     if (ranks_.active())
     {
-        if (resized_)
-        {
-            ranks_.refreshSizes(parcels);
-        }
         ranks_.refreshPositions(parcels, anticipate_ || needs_.approaches);
     }
-    resized_ = false;
 
     parcels.clearShifts();
     findContacts(parcels, deltaT);
@@ -504,6 +511,11 @@ void Foam::cghs::contactStage::correct(arena& parcels, const scalar deltaT)
     }
 
     addProfiling(contact, "cghs::contact");
+
+    // Who has made parcels heavier makes them as they were again
+    const bool again = resized_;
+    refreshSizes(parcels);
+    resized_ = again;
 
     for
     (

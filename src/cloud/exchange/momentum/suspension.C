@@ -29,7 +29,9 @@ Foam::cghs::suspension::suspension
     d_(blockSize_),
     rho_(blockSize_),
     mu_(blockSize_),
-    D_(blockSize_)
+    D_(blockSize_),
+    holds_(false),
+    burdened_(false)
 {}
 
 
@@ -163,22 +165,54 @@ inline void Foam::cghs::suspension::accelerate
 
     m.v = (m.v + time*(K*u + field))/(1 + time*K);
 
-    const vector impulse((time*K/m.invMass)*(u - m.v));
-
-    if (kernels_)
-    {
-        taken_[i] += impulse;
-    }
-    else
-    {
-        impulse_[parcels.cells[i]] += impulse;
-    }
+    addImpulse(parcels, i, (time*K/m.invMass)*(u - m.v));
 }
 
 
-void Foam::cghs::suspension::kick(arena& parcels, const scalar halfDeltaT)
+inline void Foam::cghs::suspension::burden
+(
+    arena& parcels,
+    const label i,
+    const scalar halfSteps,
+    const scalar share
+)
+{
+    motion& m = parcels.motions[i];
+
+    invMasses_[i] = m.invMass;
+    addImpulse(parcels, i, (share/m.invMass)*m.v);
+    change_[parcels.cells[i]] -= m.v/m.invMass/(1 + halfSteps);
+    m.invMass /= 1 + share;
+}
+
+
+inline void Foam::cghs::suspension::unburden
+(
+    arena& parcels,
+    const label i,
+    const scalar halfSteps,
+    const scalar share
+)
+{
+    motion& m = parcels.motions[i];
+
+    m.invMass = invMasses_[i];
+    addImpulse(parcels, i, (-share/m.invMass)*m.v);
+    change_[parcels.cells[i]] += m.v/m.invMass/(1 + halfSteps);
+}
+
+
+bool Foam::cghs::suspension::kick(arena& parcels, const scalar halfDeltaT)
 {
     const label nOwn = parcels.size();
+    scalar largest = 0;
+
+    if (holds_)
+    {
+        invMasses_.resize(nOwn);
+        change_.resize(nCells_);
+        change_ = Zero;
+    }
 
     for (label from = 0; from < nOwn; from += blockSize_)
     {
@@ -189,12 +223,50 @@ void Foam::cghs::suspension::kick(arena& parcels, const scalar halfDeltaT)
         for (label i = from; i < from + n; ++i)
         {
             accelerate(parcels, i, halfDeltaT);
+
+            const scalar s = halfDeltaT*rates_[i];
+            largest = max(largest, s);
+
+            if (holds(s))
+            {
+                burden(parcels, i, s, earlyShare(s));
+            }
         }
     }
+
+    burdened_ = holds_ && returnReduce(largest, maxOp<scalar>()) > slack_;
+
+    return burdened_;
 }
 
 
-void Foam::cghs::suspension::kickAgain
+bool Foam::cghs::suspension::kickAgain
+(
+    arena& parcels,
+    const scalar halfDeltaT
+)
+{
+    for (label i = 0; i < parcels.size(); ++i)
+    {
+        const scalar s = halfDeltaT*rates_[i];
+
+        if (holds(s))
+        {
+            unburden(parcels, i, s, earlyShare(s));
+            accelerate(parcels, i, halfDeltaT);
+            burden(parcels, i, 0, lateShare(s));
+        }
+        else
+        {
+            accelerate(parcels, i, halfDeltaT);
+        }
+    }
+
+    return burdened_;
+}
+
+
+void Foam::cghs::suspension::settle
 (
     arena& parcels,
     const scalar halfDeltaT,
@@ -202,21 +274,57 @@ void Foam::cghs::suspension::kickAgain
     const scalar fluidDeltaT
 )
 {
-    const bool byCell = last && !kernels_;
+    held_.clear();
 
-    if (byCell)
+    if (burdened_)
     {
-        respondingCells_ = SubList<label>(parcels.cells, parcels.size());
+        for (label i = 0; i < parcels.size(); ++i)
+        {
+            const scalar s = halfDeltaT*rates_[i];
+
+            if (holds(s))
+            {
+                unburden(parcels, i, 0, lateShare(s));
+            }
+        }
+        if (last)
+        {
+            findHeld(parcels);
+        }
     }
 
-    for (label i = 0; i < parcels.size(); ++i)
+    if (last && !kernels_)
     {
-        accelerate(parcels, i, halfDeltaT);
+        respondingCells_ = SubList<label>(parcels.cells, parcels.size());
 
-        if (byCell)
+        for (label i = 0; i < parcels.size(); ++i)
         {
             response_[parcels.cells[i]] += responseOf(parcels, i, fluidDeltaT);
         }
+    }
+}
+
+
+void Foam::cghs::suspension::findHeld(const arena& parcels)
+{
+    // Momentum as it would be without the contacts
+    vectorField free(-change_);
+
+    for (label i = 0; i < parcels.size(); ++i)
+    {
+        const motion& m = parcels.motions[i];
+
+        free[parcels.cells[i]] += m.v/m.invMass;
+    }
+
+    held_.resize(nCells_);
+
+    forAll(held_, celli)
+    {
+        const scalar stopped = -(change_[celli] & free[celli]);
+
+        held_[celli] =
+            stopped > 0 ? min(stopped/magSqr(free[celli]), scalar(1)) : 0;
     }
 }
 
@@ -231,13 +339,13 @@ inline Foam::cghs::load Foam::cghs::suspension::loadOf
 {
     const scalar V = parcels.displaced(i);
     const scalar volumeByMass = V*parcels.motions[i].invMass;
+    const scalar k = yielding(i, fluidDeltaT);
 
     cghs::load l;
     l.volume() = V;
     l.response() = responseOf(parcels, i, fluidDeltaT);
-    l.yieldToVelocity() = fluidDeltaT*l.response()*volumeByMass;
-    l.yieldToGradient() =
-        fluidDeltaT*V*volumeByMass/(1 + fluidDeltaT*rates_[i]);
+    l.yieldToVelocity() = k*V;
+    l.yieldToGradient() = (1 - k)*fluidDeltaT*V*volumeByMass;
 
     return l;
 }
@@ -331,12 +439,15 @@ inline Foam::vector Foam::cghs::suspension::answer
     const scalar fluidDeltaT
 ) const
 {
-    const scalar K = rates_[i];
-    const scalar volumeByMass =
-        parcels.displaced(i)*parcels.motions[i].invMass;
+    const scalar invMass = parcels.motions[i].invMass;
+    const scalar V = parcels.displaced(i);
 
     return
-        (fluidDeltaT/(1 + fluidDeltaT*K))*(K*c.u() - volumeByMass*c.gradP());
+        (fluidDeltaT*invMass)
+       *(
+            responseOf(parcels, i, fluidDeltaT)*c.u()
+          - (1 - yielding(i, fluidDeltaT))*V*c.gradP()
+        );
 }
 
 
