@@ -189,7 +189,7 @@ static candidate calibrate
     (
         SyamlalOBrien::calibrated
         (
-            balancingD(p, e, U), e, U/e, p.d, p.rho, p.mu, voidageInRe
+            balancingD(p, e, U), p.flow(e, U/e), voidageInRe
         )
     );
 
@@ -379,7 +379,7 @@ static void writeCoefficients
             file<< e << ',' << u;
             for (const candidate& c : laws)
             {
-                file<< ',' << c.law->coefficient(e, u, p.d, p.rho, p.mu);
+                file<< ',' << c.law->coefficient(p.flow(e, u));
             }
             file<< nl;
         }

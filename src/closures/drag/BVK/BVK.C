@@ -18,17 +18,11 @@ namespace cghs
 }
 
 
-Foam::scalar Foam::cghs::BVK::D
-(
-    const scalar e,
-    const scalar u,
-    const scalar d,
-    const scalar rho,
-    const scalar mu
-) const
+Foam::scalar Foam::cghs::BVK::D(const slipFlow& f) const
 {
+    const scalar e = f.e;
     const scalar phi = solidsFraction(e);
-    const scalar Re = reynolds(e, u, d, rho, mu);
+    const scalar Re = superficialRe(f);
 
     const scalar viscous = 10*phi/sqr(e) + sqr(e)*(1 + 1.5*sqrt(phi));
 
@@ -39,5 +33,5 @@ Foam::scalar Foam::cghs::BVK::D
     const scalar inertial =
         0.413/(24*sqr(e))*ReN*Ren/(Ren + pow(scalar(10), 3*phi));
 
-    return 18*mu*e/sqr(d)*(viscous + inertial);
+    return 18*f.mu*e/sqr(f.d)*(viscous + inertial);
 }

@@ -98,14 +98,7 @@ Foam::scalar Foam::cghs::EMMS::H(const scalar e) const
 }
 
 
-Foam::scalar Foam::cghs::EMMS::D
-(
-    const scalar e,
-    const scalar u,
-    const scalar d,
-    const scalar rho,
-    const scalar mu
-) const
+Foam::scalar Foam::cghs::EMMS::D(const slipFlow& f) const
 {
-    return wenYuD(e, u, d, rho, mu)*H(e);
+    return wenYuD(f)*H(f.e);
 }

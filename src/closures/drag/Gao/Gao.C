@@ -33,53 +33,41 @@ Foam::cghs::Gao::Gao(const dictionary& dict)
 }
 
 
-Foam::scalar Foam::cghs::Gao::clusterD
-(
-    const scalar e,
-    const scalar u,
-    const scalar d,
-    const scalar rho,
-    const scalar mu
-) const
+Foam::scalar Foam::cghs::Gao::clusterD(const slipFlow& f) const
 {
-    const scalar L = effectiveDiameterInD_ ? effectiveDiameter_ : d;
-    const scalar CdRe =
-        singleSphereCdRe(reynolds(e, u, effectiveDiameter_, rho, mu));
+    slipFlow pastCluster(f);
+    pastCluster.d = effectiveDiameter_;
+
+    const scalar L = effectiveDiameterInD_ ? effectiveDiameter_ : f.d;
+    const scalar CdRe = singleSphereCdRe(superficialRe(pastCluster));
 
     // e rho u = Re_e mu/d_e
     return
-        5.0/72.0*CdRe*mu
-       /(effectiveDiameter_*L*pow(solidsFraction(e), 0.293));
+        5.0/72.0*CdRe*f.mu
+       /(effectiveDiameter_*L*pow(solidsFraction(f.e), 0.293));
 }
 
 
-Foam::scalar Foam::cghs::Gao::D
-(
-    const scalar e,
-    const scalar u,
-    const scalar d,
-    const scalar rho,
-    const scalar mu
-) const
+Foam::scalar Foam::cghs::Gao::D(const slipFlow& f) const
 {
-    const auto ergun = [&]{ return ergunD(e, u, d, rho, mu); };
-    const auto clusters = [&]{ return clusterD(e, u, d, rho, mu); };
-    const auto wenYu = [&]{ return wenYuD(e, u, d, rho, mu); };
+    const auto ergun = [&]{ return ergunD(f); };
+    const auto clusters = [&]{ return clusterD(f); };
+    const auto wenYu = [&]{ return wenYuD(f); };
     const auto single = [&]
     {
-        return 0.75*singleSphereCdRe(reynolds(e, u, d, rho, mu))*mu/sqr(d);
+        return 0.75*singleSphereCdRe(superficialRe(f))*f.mu/sqr(f.d);
     };
 
     const scalar b = blendWidth_;
 
     const auto dilute = [&]
     {
-        return blended(e, 0.99, min(b, scalar(0.02)), wenYu, single);
+        return blended(f.e, 0.99, min(b, scalar(0.02)), wenYu, single);
     };
     const auto aboveErgun = [&]
     {
-        return blended(e, 0.933, b, clusters, dilute);
+        return blended(f.e, 0.933, b, clusters, dilute);
     };
 
-    return blended(e, 0.8, b, ergun, aboveErgun);
+    return blended(f.e, 0.8, b, ergun, aboveErgun);
 }

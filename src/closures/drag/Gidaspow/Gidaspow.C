@@ -34,21 +34,14 @@ Foam::cghs::Gidaspow::Gidaspow(const dictionary& dict)
 }
 
 
-Foam::scalar Foam::cghs::Gidaspow::D
-(
-    const scalar e,
-    const scalar u,
-    const scalar d,
-    const scalar rho,
-    const scalar mu
-) const
+Foam::scalar Foam::cghs::Gidaspow::D(const slipFlow& f) const
 {
     return blended
     (
-        e,
+        f.e,
         0.8,
         blendWidth_,
-        [&]{ return ergunD(e, u, d, rho, mu); },
-        [&]{ return wenYuD(e, u, d, rho, mu); }
+        [&]{ return ergunD(f); },
+        [&]{ return wenYuD(f); }
     );
 }

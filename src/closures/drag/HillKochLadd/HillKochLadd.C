@@ -102,16 +102,9 @@ static scalar force(const scalar phi, const scalar R)
 } // End namespace Foam
 
 
-Foam::scalar Foam::cghs::HillKochLadd::D
-(
-    const scalar e,
-    const scalar u,
-    const scalar d,
-    const scalar rho,
-    const scalar mu
-) const
+Foam::scalar Foam::cghs::HillKochLadd::D(const slipFlow& f) const
 {
-    const scalar R = 0.5*reynolds(e, u, d, rho, mu);
+    const scalar R = 0.5*superficialRe(f);
 
-    return 18*mu*sqr(e)/sqr(d)*force(solidsFraction(e), R);
+    return 18*f.mu*sqr(f.e)/sqr(f.d)*force(solidsFraction(f.e), R);
 }

@@ -83,16 +83,9 @@ Foam::cghs::Igci::Igci(const dictionary& dict)
 }
 
 
-Foam::scalar Foam::cghs::Igci::D
-(
-    const scalar e,
-    const scalar u,
-    const scalar d,
-    const scalar rho,
-    const scalar mu
-) const
+Foam::scalar Foam::cghs::Igci::D(const slipFlow& f) const
 {
-    const scalar phi = solidsFraction(e);
+    const scalar phi = solidsFraction(f.e);
 
-    return wenYuD(e, u, d, rho, mu)*(1 - filterShare_*h(phi)*g(phi));
+    return wenYuD(f)*(1 - filterShare_*h(phi)*g(phi));
 }

@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "SyamlalOBrien.H"
-#include "sphereDrag.H"
 #include "checkedEntry.H"
 #include "knownEntries.H"
 #include "addToRunTimeSelectionTable.H"
@@ -52,40 +51,30 @@ Foam::cghs::SyamlalOBrien::SyamlalOBrien(const dictionary& dict)
 Foam::cghs::SyamlalOBrien Foam::cghs::SyamlalOBrien::calibrated
 (
     const scalar D,
-    const scalar e,
-    const scalar u,
-    const scalar d,
-    const scalar rho,
-    const scalar mu,
+    const slipFlow& f,
     const bool voidageInRe
 )
 {
-    const scalar Re = reynolds(voidageInRe ? e : 1, u, d, rho, mu);
+    const scalar Re = reynolds(f, voidageInRe);
 
     // The v_r of this drag: C_so Re = s^2, quadratic in sqrt(v_r)
-    const scalar s = sqrt(D*sqr(d)/(0.75*mu*(voidageInRe ? 1 : e)));
+    const scalar s = sqrt(D*sqr(f.d)/(0.75*f.mu*(voidageInRe ? 1 : f.e)));
     const scalar vr = sqr((4.8 + sqrt(sqr(4.8) + 2.52*s*sqrt(Re)))/(2*s));
 
     // The B of this v_r, and the C1 that joins both branches of B
     const scalar a = 0.06*Re;
-    const scalar B = vr*(vr - pow(e, 4.14) + a)/a;
-    const scalar C2 = B/pow(e, 1.28);
+    const scalar B = vr*(vr - pow(f.e, 4.14) + a)/a;
+    const scalar C2 = B/pow(f.e, 1.28);
     const scalar C1 = C2 > 0 ? 1.28 + log(C2)/log(0.85) : GREAT;
 
     return SyamlalOBrien(C1, C2, voidageInRe);
 }
 
 
-Foam::scalar Foam::cghs::SyamlalOBrien::D
-(
-    const scalar e,
-    const scalar u,
-    const scalar d,
-    const scalar rho,
-    const scalar mu
-) const
+Foam::scalar Foam::cghs::SyamlalOBrien::D(const slipFlow& f) const
 {
-    const scalar Re = reynolds(voidageInRe_ ? e : 1, u, d, rho, mu);
+    const scalar e = f.e;
+    const scalar Re = reynolds(f, voidageInRe_);
 
     const scalar A = pow(e, 4.14);
     const scalar B = e <= 0.85 ? C2_*pow(e, 1.28) : pow(e, C1_);
@@ -99,5 +88,5 @@ Foam::scalar Foam::cghs::SyamlalOBrien::D
     const scalar CsoRe = sqr(0.63*sqrt(Re)/vr + 4.8/sqrt(vr));
 
     // e rho u/d = Re mu/d^2, where Re carries the voidage
-    return 0.75*CsoRe*mu/sqr(d)*(voidageInRe_ ? 1 : e);
+    return 0.75*CsoRe*f.mu/sqr(f.d)*(voidageInRe_ ? 1 : e);
 }

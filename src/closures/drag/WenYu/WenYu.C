@@ -18,14 +18,7 @@ namespace cghs
 }
 
 
-Foam::scalar Foam::cghs::WenYu::D
-(
-    const scalar e,
-    const scalar u,
-    const scalar d,
-    const scalar rho,
-    const scalar mu
-) const
+Foam::scalar Foam::cghs::WenYu::D(const slipFlow& f) const
 {
-    return wenYuD(e, u, d, rho, mu);
+    return wenYuD(f);
 }

@@ -6,7 +6,6 @@
 #include "dragModel.H"
 #include "knownEntries.H"
 #include "selectModel.H"
-#include "sphereDrag.H"
 #include "vector2D.H"
 #include "Pstream.H"
 #include "PstreamReduceOps.H"
@@ -62,21 +61,12 @@ Foam::wordList Foam::cghs::dragModel::names()
 }
 
 
-void Foam::cghs::dragModel::note
-(
-    const UList<scalar>& e,
-    const UList<scalar>& u,
-    const UList<scalar>& d,
-    const UList<scalar>& rho,
-    const UList<scalar>& mu,
-    const label n
-) const
+void Foam::cghs::dragModel::note(const UList<slipFlow>& flows) const
 {
-    for (label i = 0; i < n; ++i)
+    for (const slipFlow& f : flows)
     {
-        lowestVoidage_ = min(lowestVoidage_, e[i]);
-        highestRe_ =
-            max(highestRe_, reynolds(e[i], u[i], d[i], rho[i], mu[i]));
+        lowestVoidage_ = min(lowestVoidage_, f.e);
+        highestRe_ = max(highestRe_, superficialRe(f));
     }
 }
 

@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "fluidisation.H"
-#include "sphereDrag.H"
 
 Foam::scalar Foam::cghs::particleInFluid::weight() const
 {
@@ -20,7 +19,17 @@ Foam::scalar Foam::cghs::particleInFluid::Ar() const
 
 Foam::scalar Foam::cghs::particleInFluid::Re(const scalar U) const
 {
-    return reynolds(1, U, d, rho, mu);
+    return superficialRe(flow(1, U));
+}
+
+
+Foam::cghs::slipFlow Foam::cghs::particleInFluid::flow
+(
+    const scalar e,
+    const scalar u
+) const
+{
+    return slipFlow{e, u, d, rho, mu};
 }
 
 
@@ -44,9 +53,7 @@ Foam::scalar Foam::cghs::carryingVelocity
 {
     const auto carries = [&](const scalar U)
     {
-        return
-            law.coefficient(e, U/e, p.d, p.rho, p.mu)*U
-         >= sqr(e)*p.weight();
+        return law.coefficient(p.flow(e, U/e))*U >= sqr(e)*p.weight();
     };
 
     // The drag grows with the slip: in no law is it below a part of Stokes'

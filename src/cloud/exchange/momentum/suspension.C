@@ -24,11 +24,7 @@ Foam::cghs::suspension::suspension
     yieldToVelocity_(nCells, Zero),
     yieldToGradient_(nCells, Zero),
     drag_(kernels ? nCells : 0, Zero),
-    e_(blockSize_),
-    u_(blockSize_),
-    d_(blockSize_),
-    rho_(blockSize_),
-    mu_(blockSize_),
+    flows_(blockSize_),
     D_(blockSize_),
     holds_(false),
     burdened_(false)
@@ -130,15 +126,18 @@ void Foam::cghs::suspension::findRates
         const label i = from + k;
         const carrier& c = carrierOf(parcels, i);
 
-        e_[k] = c.voidage();
-        u_[k] = mag(c.u() - parcels.motions[i].v);
-        d_[k] = parcels.diameters[i];
-        rho_[k] = c.rho();
-        mu_[k] = c.mu();
+        flows_[k] = slipFlow
+        {
+            c.voidage(),
+            mag(c.u() - parcels.motions[i].v),
+            parcels.diameters[i],
+            c.rho(),
+            c.mu()
+        };
     }
 
     SubList<scalar> D(D_, n);
-    law_->coefficients(e_, u_, d_, rho_, mu_, D);
+    law_->coefficients(SubList<slipFlow>(flows_, n), D);
 
     for (label k = 0; k < n; ++k)
     {

@@ -34,22 +34,15 @@ TEST_CASE("Syamlal and O'Brien's law is calibrated to a drag", "[drag]")
             {
                 for (const scalar u : {0.03, 0.3, 3.0})
                 {
-                    const scalar d = 5e-4;
-                    const scalar D =
-                        known.coefficient(e, u, d, air.rho, air.mu);
+                    const slipFlow f(air.past(e, u, 5e-4));
+                    const scalar D = known.coefficient(f);
                     const SyamlalOBrien law
                     (
-                        SyamlalOBrien::calibrated
-                        (
-                            D, e, u, d, air.rho, air.mu, voidageInRe
-                        )
+                        SyamlalOBrien::calibrated(D, f, voidageInRe)
                     );
 
                     found.see(mag(law.C2()/C2 - 1));
-                    found.see
-                    (
-                        mag(law.coefficient(e, u, d, air.rho, air.mu)/D - 1)
-                    );
+                    found.see(mag(law.coefficient(f)/D - 1));
                     meets.see
                     (
                         mag
@@ -69,14 +62,9 @@ TEST_CASE("Syamlal and O'Brien's law is calibrated to a drag", "[drag]")
     claim pairs("drag.calibrationPairs", 2e-3);
     for (const scalar C2 : {0.8, 0.281632})
     {
-        const scalar D =
-            SyamlalOBrien(1, C2, false)
-           .coefficient(0.45, 0.2, 3e-4, air.rho, air.mu);
-        const scalar C1 =
-            SyamlalOBrien::calibrated
-            (
-                D, 0.45, 0.2, 3e-4, air.rho, air.mu, false
-            ).C1();
+        const slipFlow f(air.past(0.45, 0.2, 3e-4));
+        const scalar D = SyamlalOBrien(1, C2, false).coefficient(f);
+        const scalar C1 = SyamlalOBrien::calibrated(D, f, false).C1();
         pairs.see(mag(C1/(C2 == 0.8 ? 2.65 : 9.07696) - 1));
     }
     pairs.settle();
@@ -103,7 +91,7 @@ TEST_CASE("Carrying velocities balance drag and weight", "[drag]")
             for (const scalar e : {0.42, 0.7, 1.0})
             {
                 const scalar U = carryingVelocity(*law, p, e);
-                const scalar D = law->coefficient(e, U/e, p.d, p.rho, p.mu);
+                const scalar D = law->coefficient(p.flow(e, U/e));
                 balanced.see(mag(D/balancingD(p, e, U) - 1));
             }
         }

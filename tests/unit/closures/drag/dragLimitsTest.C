@@ -41,7 +41,7 @@ TEST_CASE("Drag laws are finite and above zero anywhere", "[drag]")
                 {
                     for (const fluidSample& f : {air, water})
                     {
-                        const scalar D = law->coefficient(e, u, d, f.rho, f.mu);
+                        const scalar D = law->coefficient(f.past(e, u, d));
                         finite.count(D > 0 && D < VGREAT);
                     }
                 }
@@ -131,7 +131,7 @@ TEST_CASE("Packings have the drag of their source's limit", "[drag]")
         ergun.see(mag(overStokes(*law, e, slow)/(150*(1 - e)/e/18) - 1));
 
         const scalar u = 1e12;
-        const scalar inertial = law->coefficient(e, u, d, air.rho, air.mu);
+        const scalar inertial = law->coefficient(air.past(e, u, d));
         ergun.see(mag(inertial/(1.75*air.rho*u/d) - 1));
     }
     ergun.settle();

@@ -24,26 +24,24 @@ TEST_CASE("A batch has the numbers of one after the other", "[drag]")
     claim same("drag.batch", 0);
     sampler random(1);
     const label n = 200;
-    scalarField e(n), u(n), d(n), rho(n), mu(n), D(n);
-    for (label i = 0; i < n; ++i)
+    List<slipFlow> flows(n);
+    scalarField D(n);
+    for (slipFlow& f : flows)
     {
-        e[i] = random.between(0.3, 1);
-        u[i] = random.acrossDecades(1e-6, 10);
-        d[i] = random.acrossDecades(1e-5, 1e-3);
-        rho[i] = random.acrossDecades(0.1, 1000);
-        mu[i] = random.acrossDecades(1e-6, 1e-3);
+        f.e = random.between(0.3, 1);
+        f.u = random.acrossDecades(1e-6, 10);
+        f.d = random.acrossDecades(1e-5, 1e-3);
+        f.rho = random.acrossDecades(0.1, 1000);
+        f.mu = random.acrossDecades(1e-6, 1e-3);
     }
 
     for (const word& name : dragModel::names())
     {
         const autoPtr<dragModel> law(dragLawOf(name));
-        law->coefficients(e, u, d, rho, mu, D);
+        law->coefficients(flows, D);
         for (label i = 0; i < n; ++i)
         {
-            same.see
-            (
-                mag(D[i] - law->coefficient(e[i], u[i], d[i], rho[i], mu[i]))
-            );
+            same.see(mag(D[i] - law->coefficient(flows[i])));
         }
     }
     same.settle();
@@ -60,11 +58,7 @@ void ask(const dragModel& law, const scalar e, const scalar Re)
     scalarField D(1);
     law.coefficients
     (
-        scalarField(1, e),
-        scalarField(1, Re*air.mu/(e*air.rho*d)),
-        scalarField(1, d),
-        scalarField(1, air.rho),
-        scalarField(1, air.mu),
+        List<slipFlow>(1, air.past(e, Re*air.mu/(e*air.rho*d), d)),
         D
     );
 }
