@@ -4,16 +4,14 @@
 \*---------------------------------------------------------------------------*/
 
 #include "fluidModel.H"
+#include "balancedWalls.H"
+#include "caseChecks.H"
 #include "fvm.H"
 #include "fvc.H"
 #include "fvcFlux.H"
 #include "constrainHbyA.H"
 #include "constrainPressure.H"
-#include "fixedFluxPressureFvPatchScalarField.H"
-#include "zeroGradientFvPatchFields.H"
-#include "basicSymmetryFvPatchField.H"
 #include "checkedEntry.H"
-#include "localIOdictionary.H"
 #include "profiling.H"
 
 namespace Foam
@@ -74,10 +72,7 @@ Foam::cghs::fluidModel::fluidModel
     ),
     piso_(mesh),
     g_(g),
-    transportedNames_
-    (
-        transported::selected(parcels.properties().subDict("solution"))
-    ),
+    transported_(parcels.properties().subDict("solution")),
     minVoidage_
     (
         scalarInRange
@@ -118,179 +113,16 @@ Foam::cghs::fluidModel::fluidModel
     ),
     alphaf_("alphaf", fvc::interpolate(alpha_))
 {
-    checkTransient();
-    checkPressure(pressure);
-    checkSolids(parcels);
-    balanceWalls();
+    checkTransient(mesh);
+    checkPressure(p_, pressure);
+    checkSolids(alpha_, parcels);
+    balanceWalls(p_, U_);
     mesh_.setFluxRequired(p_.name());
     gravity_.reset(new faceGravity(p_, g_));
 
     // An old value is only kept from now on if it is asked for now
     alpha_.oldTime();
     U_.oldTime();
-}
-
-
-Foam::dictionary Foam::cghs::fluidModel::fileOf(const volScalarField& field)
-{
-    return localIOdictionary
-    (
-        IOobject
-        (
-            field.name(),
-            field.time().timeName(),
-            field.mesh(),
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE,
-            false
-        ),
-        field.type()
-    );
-}
-
-
-void Foam::cghs::fluidModel::checkPressure(const dimensionSet& wanted) const
-{
-    if (p_.dimensions() != wanted)
-    {
-        FatalIOErrorInFunction(fileOf(p_))
-            << "Entry dimensions is " << p_.dimensions()
-            << " but must be " << wanted << " for the "
-            << typeName << " that is chosen" << nl
-            << "Mend p, or choose another " << typeName
-            << " in the solution of the cloud's properties: incompressible"
-            << " takes p over the density, gas p" << nl
-            << exit(FatalIOError);
-    }
-}
-
-
-void Foam::cghs::fluidModel::checkTransient() const
-{
-    const fvSchemes& schemes = mesh_;
-
-    if (schemes.steady())
-    {
-        FatalIOErrorInFunction(schemes.subDict("ddtSchemes"))
-            << "Entry default is steadyState, but parcels move in time" << nl
-            << "Choose a scheme of transient flow: Euler, backward or"
-            << " CrankNicolson" << nl
-            << exit(FatalIOError);
-    }
-}
-
-
-void Foam::cghs::fluidModel::checkSolids(const cghsCloud& parcels) const
-{
-    const scalar lowest = gMin(alpha_.primitiveField());
-
-    if (parcels.empty() && lowest < 1 - SMALL)
-    {
-        FatalIOErrorInFunction(fileOf(alpha_))
-            << "alpha goes down to " << lowest << ", so there have been solids,"
-            << " but the cloud " << parcels.name() << " has no parcels in "
-            << mesh_.time().timePath()/cloud::prefix/parcels.name() << nl
-            << "Restore that folder, or restart from a time that has it, or fill"
-            << " the mesh with fillParcels; or remove alpha to begin without"
-            << " solids" << nl
-            << exit(FatalIOError);
-    }
-}
-
-
-void Foam::cghs::fluidModel::balanceWalls()
-{
-    DynamicList<word> balanced;
-
-    forAll(mesh_.boundary(), patchi)
-    {
-        const fvPatch& patch = mesh_.boundary()[patchi];
-        const fvPatchVectorField& U = U_.boundaryField()[patchi];
-        const bool given =
-            (U.fixesValue() && !U.assignable())
-         || isA<basicSymmetryFvPatchField<vector>>(U);
-
-        if
-        (
-            given
-         && p_.boundaryField()[patchi].type()
-         == zeroGradientFvPatchScalarField::typeName
-        )
-        {
-            p_.boundaryFieldRef().set
-            (
-                patchi,
-                new fixedFluxPressureFvPatchScalarField
-                (
-                    patch,
-                    p_.internalField()
-                )
-            );
-            fvPatchScalarField& p = p_.boundaryFieldRef()[patchi];
-            p == p.patchInternalField();
-            balanced.append(patch.name());
-        }
-    }
-
-    if (balanced.size())
-    {
-        Info<< "p is zeroGradient at " << flatOutput(balanced)
-            << ", where U is given: it is taken as fixedFluxPressure, so that"
-            << " it balances weight and drag in the cells beside" << nl << endl;
-    }
-}
-
-
-bool Foam::cghs::fluidModel::pressureIsToFind() const
-{
-    return
-        mesh_.time().timeIndex() == 0
-     && gMax(p_.primitiveField()) == gMin(p_.primitiveField());
-}
-
-
-Foam::scalar Foam::cghs::fluidModel::meanPressure() const
-{
-    scalar sumP = 0;
-    scalar area = 0;
-
-    for (const fvPatchScalarField& p : p_.boundaryField())
-    {
-        if (p.fixesValue() && !p.coupled())
-        {
-            sumP += sum(p.patch().magSf()*p);
-            area += sum(p.patch().magSf());
-        }
-    }
-    reduce(sumP, sumOp<scalar>());
-    reduce(area, sumOp<scalar>());
-
-    return area > 0 ? sumP/area : gAverage(p_.primitiveField());
-}
-
-
-void Foam::cghs::fluidModel::startWith
-(
-    const scalarField& p,
-    const volScalarField& density
-)
-{
-    p_.primitiveFieldRef() = p;
-
-    for (fvPatchScalarField& pp : p_.boundaryFieldRef())
-    {
-        const label patchi = pp.patch().index();
-
-        if (faceGravity::balances(pp))
-        {
-            refCast<fixedFluxPressureFvPatchScalarField>(pp).updateSnGrad
-            (
-                density.boundaryField()[patchi]
-               *gravity_->potential().boundaryField()[patchi].snGrad()
-            );
-        }
-    }
-    p_.correctBoundaryConditions();
 }
 
 
@@ -328,10 +160,7 @@ Foam::cghs::fluidModel::New
 
     autoPtr<fluidModel> fluid(constructor()(mesh, g, parcels));
 
-    for (const word& name : fluid->transportedNames_)
-    {
-        fluid->transported_.append(transported::New(name, solution, fluid()));
-    }
+    fluid->transported_.make(solution, fluid());
     fluid->options_ = &fv::options::New(mesh);
 
     return fluid;
@@ -396,52 +225,48 @@ Foam::tmp<Foam::surfaceScalarField> Foam::cghs::fluidModel::wholeFlux()
 }
 
 
-template<class Velocity>
-void Foam::cghs::fluidModel::setBalancedFlux
-(
-    surfaceScalarField& flux,
-    const volVectorField& field,
-    const Velocity& velocity
-) const
+void Foam::cghs::fluidModel::addSources(fvVectorMatrix& UEqn)
 {
-    forAll(field.boundaryField(), patchi)
-    {
-        if (pressureBalances(patchi))
-        {
-            const fvPatchVectorField& values = field.boundaryField()[patchi];
+    source_ = contentSource(*options_);
+    source_.ref().rename("contentSource");
 
-            flux.boundaryFieldRef()[patchi] =
-                velocity(values) & values.patch().Sf();
-        }
-    }
+    // The equation is that of u, not of c u: what comes in is not yet as fast
+    UEqn += fvm::Sp(posPart(source_()), U_);
+    UEqn -= momentumSource(*options_);
 }
 
 
-Foam::tmp<Foam::surfaceScalarField>
-Foam::cghs::fluidModel::gravityFlux(const surfaceScalarField& rAUf) const
+void Foam::cghs::fluidModel::predictVelocity(const fvVectorMatrix& UEqn)
 {
-    return contentf()*rAUf*gravity_->inFluxes();
+    Foam::solve
+    (
+        UEqn
+     ==
+        reconstruct_
+        (
+            contentf()*gravity_->inGradients() - alphaf_*faceGradP()
+        )
+    );
 }
 
 
-void Foam::cghs::fluidModel::correctPressure
+Foam::tmp<Foam::surfaceScalarField> Foam::cghs::fluidModel::predictedFlux
 (
-    const fvVectorMatrix& UEqn,
-    const volScalarField& rAU,
+    const volVectorField& HbyA,
+    const surfaceScalarField& content,
     const surfaceScalarField& rAUf,
-    const surfaceScalarField& held
+    const surfaceScalarField& forces
 )
 {
-    const volVectorField HbyA(constrainHbyA(rAU*UEqn.H(), U_, p_));
-    surfaceScalarField alpharAUf("alpharAUf", alphaf_*rAUf);
-    const tmp<surfaceScalarField> tcontentf(contentf());
-    const surfaceScalarField& content = tcontentf();
-
-    surfaceScalarField phiHbyA
+    tmp<surfaceScalarField> tflux
     (
-        "phiHbyA",
-        fvc::flux(HbyA) + content*rAUf*fvc::ddtCorr(U_, phi_)
+        new surfaceScalarField
+        (
+            "phiHbyA",
+            fvc::flux(HbyA) + content*rAUf*fvc::ddtCorr(U_, phi_)
+        )
     );
+    surfaceScalarField& phiHbyA = tflux.ref();
 
     closeFluxes(phiHbyA);
 
@@ -451,13 +276,85 @@ void Foam::cghs::fluidModel::correctPressure
     setBalancedFlux
     (
         phiHbyA,
+        p_,
         HbyA,
         [](const fvPatchVectorField& values)
         {
             return values.patchInternalField();
         }
     );
-    phiHbyA += held;
+    phiHbyA += forces;
+
+    return tflux;
+}
+
+
+Foam::tmp<Foam::fvScalarMatrix> Foam::cghs::fluidModel::pressureEquation
+(
+    const surfaceScalarField& mobility,
+    const surfaceScalarField& predicted
+)
+{
+    tmp<fvScalarMatrix> tpEqn
+    (
+        fvm::laplacian(mobility, p_) == fvc::div(predicted)
+    );
+    addStorage(tpEqn.ref());
+
+    if (source_.valid())
+    {
+        tpEqn.ref() += source_();
+    }
+
+    return tpEqn;
+}
+
+
+void Foam::cghs::fluidModel::takeFluxes
+(
+    const surfaceScalarField& phiHbyA,
+    const surfaceScalarField& content,
+    const surfaceScalarField& gradient,
+    const surfaceScalarField& pFlux
+)
+{
+    // The result where p balances the forces is the given velocity, to the last
+    // digit
+    phi_ = phiHbyA - pFlux;
+    setBalancedFlux
+    (
+        phi_,
+        p_,
+        U_,
+        [](const fvPatchVectorField& values)
+            -> const fvPatchVectorField& { return values; }
+    );
+    contentFlux() = content*phi_;
+
+    if (yield_.active())
+    {
+        yield_.update(phi_, gradient);
+    }
+}
+
+
+void Foam::cghs::fluidModel::correctPressure
+(
+    const fvVectorMatrix& UEqn,
+    const volScalarField& rAU,
+    const surfaceScalarField& rAUf,
+    const surfaceScalarField& forces
+)
+{
+    const volVectorField HbyA(constrainHbyA(rAU*UEqn.H(), U_, p_));
+    const tmp<surfaceScalarField> tcontentf(contentf());
+    const surfaceScalarField& content = tcontentf();
+    const tmp<surfaceScalarField> tflux
+    (
+        predictedFlux(HbyA, content, rAUf, forces)
+    );
+    const surfaceScalarField& phiHbyA = tflux();
+    surfaceScalarField alpharAUf("alpharAUf", alphaf_*rAUf);
 
     if (yield_.active())
     {
@@ -478,16 +375,8 @@ void Foam::cghs::fluidModel::correctPressure
 
     while (piso_.correctNonOrthogonal())
     {
-        fvScalarMatrix pEqn
-        (
-            fvm::laplacian(mobility, p_) == fvc::div(predicted)
-        );
-        addStorage(pEqn);
-
-        if (source_.valid())
-        {
-            pEqn += source_();
-        }
+        tmp<fvScalarMatrix> tpEqn(pressureEquation(mobility, predicted));
+        fvScalarMatrix& pEqn = tpEqn.ref();
 
         pEqn.solve(mesh_.solver(p_.select(piso_.finalInnerIter())));
 
@@ -496,26 +385,10 @@ void Foam::cghs::fluidModel::correctPressure
             const surfaceScalarField gradient(pEqn.flux()/mobility);
             const surfaceScalarField pFlux(alpharAUf*gradient);
 
-            // The result at such a patch is the given velocity, to the last
-            // digit
-            phi_ = phiHbyA - pFlux;
-            setBalancedFlux
-            (
-                phi_,
-                U_,
-                [](const fvPatchVectorField& values)
-                    -> const fvPatchVectorField& { return values; }
-            );
-            contentFlux() = content*phi_;
-
-            if (yield_.active())
-            {
-                yield_.update(phi_, gradient);
-            }
-
+            takeFluxes(phiHbyA, content, gradient, pFlux);
             pressureSolved();
 
-            U_ = HbyA + rAU*reconstruct_((held - pFlux)/rAUf);
+            U_ = HbyA + rAU*reconstruct_((forces - pFlux)/rAUf);
             U_.correctBoundaryConditions();
             options_->correct(U_);
         }
@@ -523,18 +396,22 @@ void Foam::cghs::fluidModel::correctPressure
 }
 
 
-void Foam::cghs::fluidModel::addSources(fvVectorMatrix& UEqn)
+void Foam::cghs::fluidModel::measureContinuity()
 {
-    source_ = contentSource(*options_);
-    source_.ref().rename("contentSource");
+    tmp<volScalarField> defect(contentGain(wholeFlux()));
 
-    // The equation is that of u, not of c u: what comes in is not yet as fast
-    UEqn += fvm::Sp(posPart(source_()), U_);
-    UEqn -= momentumSource(*options_);
+    if (source_.valid())
+    {
+        defect.ref() -= source_();
+    }
+
+    continuityError_ =
+        gMax(mag(defect().primitiveField())())
+       *mesh_.time().deltaTValue()/fullContent();
 }
 
 
-void Foam::cghs::fluidModel::solve(fvVectorMatrix& UEqn)
+void Foam::cghs::fluidModel::solveFor(fvVectorMatrix& UEqn)
 {
     if (options_->size())
     {
@@ -546,47 +423,28 @@ void Foam::cghs::fluidModel::solve(fvVectorMatrix& UEqn)
 
     const volScalarField rAU("rAU", 1/UEqn.A());
     const surfaceScalarField rAUf("rAUf", fvc::interpolate(rAU));
-    const surfaceScalarField gravity(gravityFlux(rAUf));
+    surfaceScalarField forces(contentf()*rAUf*gravity_->inFluxes());
 
     if (piso_.momentumPredictor())
     {
-        Foam::solve
-        (
-            UEqn
-         ==
-            reconstruct_
-            (
-                contentf()*gravity_->inGradients() - alphaf_*faceGradP()
-            )
-        );
+        predictVelocity(UEqn);
     }
-
-    surfaceScalarField held(gravity);
-
     if (yield_.active())
     {
-        held += yield_.before()*rAUf;
+        forces += yield_.before()*rAUf;
     }
 
     while (piso_.correct())
     {
-        correctPressure(UEqn, rAU, rAUf, held);
+        correctPressure(UEqn, rAU, rAUf, forces);
     }
 
-    tmp<volScalarField> defect(contentGain(wholeFlux()));
-    if (source_.valid())
-    {
-        defect.ref() -= source_();
-    }
-    continuityError_ =
-        gMax(mag(defect().primitiveField())())
-       *mesh_.time().deltaTValue()/fullContent();
+    measureContinuity();
 
-    if (transported_.size())
+    if (!transported_.empty())
     {
         keepFluxes();
     }
-
     if (yield_.active())
     {
         yield_.finish();
@@ -596,7 +454,7 @@ void Foam::cghs::fluidModel::solve(fvVectorMatrix& UEqn)
 }
 
 
-void Foam::cghs::fluidModel::solve
+void Foam::cghs::fluidModel::solveBeside
 (
     const volVectorField& drag,
     const volScalarField& response
@@ -611,16 +469,16 @@ void Foam::cghs::fluidModel::solve
         momentumEquation() + fvm::Sp(R, U_)
      == R*U_.oldTime() - drag/momentumDensity()
     );
-    solve(UEqn);
+    solveFor(UEqn);
 }
 
 
-void Foam::cghs::fluidModel::solve()
+void Foam::cghs::fluidModel::solveAlone()
 {
     addProfiling(fluid, "cghs::fluid");
 
     tmp<fvVectorMatrix> UEqn(momentumEquation());
-    solve(UEqn.ref());
+    solveFor(UEqn.ref());
 }
 
 
@@ -635,7 +493,7 @@ void Foam::cghs::fluidModel::solve(cghsCloud& parcels)
 
         const volScalarField response(solids.dragResponse());
 
-        solve
+        solveBeside
         (
             solids.drag(mesh_.time().deltaTValue(), U_, rho(), response),
             response
@@ -643,10 +501,10 @@ void Foam::cghs::fluidModel::solve(cghsCloud& parcels)
     }
     else
     {
-        solve();
+        solveAlone();
     }
 
-    if (transported_.size())
+    if (!transported_.empty())
     {
         solveTransported(parcels);
     }
@@ -655,41 +513,27 @@ void Foam::cghs::fluidModel::solve(cghsCloud& parcels)
 
 void Foam::cghs::fluidModel::keepFluxes()
 {
-    massFlux_ = momentumDensity()*wholeFlux();
-    volumeFlux_ = alphaf_*phi_;
+    tmp<surfaceScalarField> volumeFlux(alphaf_*phi_);
 
     if (yield_.active())
     {
-        volumeFlux_.ref() += yield_.flux();
+        volumeFlux.ref() += yield_.flux();
     }
+
+    transported_.keepFluxes(momentumDensity()*wholeFlux(), volumeFlux);
 }
 
 
 void Foam::cghs::fluidModel::solveTransported(const cghsCloud& parcels)
 {
-    for (transported& quantity : transported_)
+    tmp<volScalarField> massSource;
+
+    if (source_.valid())
     {
-        fluidFlow flow
-        {
-            alpha_, rho(), massFlux_(), volumeFlux_(), nullptr, *options_
-        };
-
-        if (source_.valid())
-        {
-            flow.source = momentumDensity()*source_();
-        }
-
-        quantity.solve
-        (
-            flow,
-            parcels.loads()
-          ? parcels.terms(quantity.type())
-          : exchangeTerms()
-        );
+        massSource = momentumDensity()*source_();
     }
 
-    massFlux_.clear();
-    volumeFlux_.clear();
+    transported_.solve(alpha_, rho(), massSource, *options_, parcels);
     transportedSolved();
 }
 
@@ -722,54 +566,17 @@ const Foam::volVectorField& Foam::cghs::fluidModel::gradP()
 }
 
 
-const Foam::cghs::transported&
-Foam::cghs::fluidModel::withField(const word& name) const
-{
-    wordList known;
-
-    for (const transported& quantity : transported_)
-    {
-        known.append(quantity.fieldNames());
-
-        if (known.found(name))
-        {
-            return quantity;
-        }
-    }
-
-    FatalErrorInFunction
-        << "The fluid has no field " << name << " for parcels" << nl
-        << "Known are: " << flatOutput(known) << nl
-        << "Name what has it in the entry " << transported::typeName
-        << " in the solution of the cloud's properties, e.g. (energy); G comes"
-        << " with radiation yes in its energyCoeffs" << nl
-        << exit(FatalError);
-
-    return transported_.first();
-}
-
-
 const Foam::volScalarField&
 Foam::cghs::fluidModel::field(const word& name) const
 {
-    return withField(name).field(name);
+    return transported_.field(name);
 }
 
 
 Foam::tmp<Foam::volScalarField>
 Foam::cghs::fluidModel::change(const word& name) const
 {
-    const transported& quantity = withField(name);
-
-    if (quantity.potential() != name)
-    {
-        FatalErrorInFunction
-            << "The change of " << name << " is not known, only that of "
-            << quantity.potential() << nl
-            << exit(FatalError);
-    }
-
-    return quantity.change();
+    return transported_.change(name);
 }
 
 
@@ -791,8 +598,5 @@ void Foam::cghs::fluidModel::report(Ostream& os) const
     os  << "fluid:  Courant number " << courantNumber()
         << ", volume defect " << continuityError_ << nl;
 
-    for (const transported& quantity : transported_)
-    {
-        quantity.report(os);
-    }
+    transported_.report(os);
 }

@@ -86,9 +86,11 @@ Foam::cghs::gas::gas
 {
     checkAboveZero(p_, "p is the absolute pressure [Pa], e.g. 101325");
 
-    if (pressureIsToFind())
+    restingPressure start(p_, gravity_());
+
+    if (start.isToFind())
     {
-        startAtRest();
+        startAtRest(start);
     }
 
     turbulence_ =
@@ -118,13 +120,10 @@ Foam::cghs::gas::gas
 }
 
 
-void Foam::cghs::gas::startAtRest()
+void Foam::cghs::gas::startAtRest(restingPressure& start)
 {
     const scalarField& psi = thermo_->psi().primitiveField();
-    scalarField p
-    (
-        meanPressure()*exp(psi*gravity_->potential().primitiveField())
-    );
+    scalarField p(start.mean()*exp(psi*start.potential()));
 
     if (p_.needReference())
     {
@@ -133,7 +132,7 @@ void Foam::cghs::gas::startAtRest()
         p *= gSum(room*p_.primitiveField())/gSum(room*p);
     }
 
-    startWith(p, rho_);
+    start.set(p, rho_);
     pressureSolved();
     contentFlux() = contentf()*phi_;
     mass_ = massNow();

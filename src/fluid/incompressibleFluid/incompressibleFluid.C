@@ -61,9 +61,11 @@ Foam::cghs::incompressibleFluid::incompressibleFluid
 {
     setRefCell(p_, pisoDict(), pRefCell_, pRefValue_);
 
-    if (pressureIsToFind())
+    restingPressure start(p_, gravity_());
+
+    if (start.isToFind())
     {
-        startAtRest();
+        startAtRest(start);
     }
 
     turbulence_ =
@@ -76,10 +78,13 @@ Foam::cghs::incompressibleFluid::incompressibleFluid
 }
 
 
-void Foam::cghs::incompressibleFluid::startAtRest()
+void Foam::cghs::incompressibleFluid::startAtRest
+(
+    restingPressure& start
+)
 {
-    const scalarField& h = gravity_->potential().primitiveField();
-    scalar at0 = meanPressure();
+    const scalarField& h = start.potential();
+    scalar at0 = start.mean();
 
     if (p_.needReference())
     {
@@ -91,7 +96,7 @@ void Foam::cghs::incompressibleFluid::startAtRest()
                 maxOp<scalar>()
             );
     }
-    startWith(at0 + h, relativeDensity()());
+    start.set(at0 + h, relativeDensity()());
 }
 
 

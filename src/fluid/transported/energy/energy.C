@@ -5,6 +5,7 @@
 
 #include "energy.H"
 #include "fluidModel.H"
+#include "caseChecks.H"
 #include "knownEntries.H"
 #include "profiling.H"
 #include "fvm.H"
@@ -130,7 +131,7 @@ void Foam::cghs::energy::restart()
     const scalarField written
     (
         "internalField",
-        fluidModel::fileOf(he_),
+        fileOf(he_),
         mesh.nCells()
     );
     const scalarField misfit

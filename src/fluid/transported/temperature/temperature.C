@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "temperature.H"
-#include "fluidModel.H"
+#include "caseChecks.H"
 #include "basicThermo.H"
 
 void Foam::cghs::checkAboveZero
@@ -17,7 +17,7 @@ void Foam::cghs::checkAboveZero
 
     if (!(lowest > 0))
     {
-        FatalIOErrorInFunction(fluidModel::fileOf(field))
+        FatalIOErrorInFunction(fileOf(field))
             << "Entry internalField goes down to " << lowest
             << " but must be greater than zero: " << meaning << nl
             << exit(FatalIOError);
@@ -53,7 +53,7 @@ void Foam::cghs::checkTemperature(const fvMesh& mesh)
     if (lowest < 100)
     {
         WarningInFunction
-            << "Entry internalField in " << fluidModel::fileOf(T).name()
+            << "Entry internalField in " << fileOf(T).name()
             << " goes down to " << lowest << " K" << nl
             << "    If these are degrees Celsius, add 273.15" << nl << endl;
     }
