@@ -5,17 +5,15 @@
 
 #include "cghsCloud.H"
 #include "cloudProperties.H"
+#include "cloudChecks.H"
 #include "parcelFiles.H"
 #include "memoryFiles.H"
 #include "flowState.H"
 #include "checkedEntry.H"
-#include "knownEntries.H"
 #include "profiling.H"
 #include "PstreamReduceOps.H"
 #include "SubField.H"
 #include "Time.H"
-
-#include <functional>
 
 namespace Foam
 {
@@ -33,15 +31,6 @@ Foam::cghs::cghsCloud::couplingNames
     { couplingType::twoWay, "twoWay" }
 });
 
-
-Foam::scalar Foam::cghs::census::granularTemperature() const
-{
-    return
-    (
-        cmptSum(meanSquare) - magSqr(meanVelocity)
-    )/3;
-}
-
 // * * * * * * * * * * * * * * * Construction  * * * * * * * * * * * * * * * //
 
 Foam::scalar Foam::cghs::cghsCloud::largestDiameter() const
@@ -54,125 +43,6 @@ Foam::scalar Foam::cghs::cghsCloud::largestDiameter() const
     }
 
     return max(returnReduce(d, maxOp<scalar>()), feeding_.largestDiameter());
-}
-
-
-void Foam::cghs::cghsCloud::checkEntries() const
-{
-    warnUnknownEntries
-    (
-        properties_,
-        wordList
-        ({
-            "solution", "constantProperties", "subModels", "boundary", "feeding"
-        }),
-        true
-    );
-    warnUnknownEntries
-    (
-        solution(),
-        wordList
-        ({
-            "coupling", "fluid", "maxDisplacement", "maxDeltaT",
-            "neighbourSkin", "minVoidage", "transported", "energyCoeffs"
-        })
-    );
-    wordList constants({"diameter", "density", "parcelWeight"});
-    constants.append(parcels_.entryNames());
-    warnUnknownEntries(properties_.subDict("constantProperties"), constants);
-    warnUnknownEntries
-    (
-        subModels(),
-        wordList({"contactModel", "dragModel", "mappingModel", "exchanges"})
-    );
-}
-
-
-void Foam::cghs::cghsCloud::checkConstants() const
-{
-    const particleProperties stated(properties_);
-    const label n = parcels_.size();
-
-    const auto check = [&]
-    (
-        const char* name,
-        const scalar value,
-        const std::function<scalar(const label)>& of
-    )
-    {
-        scalar least = GREAT, most = -GREAT;
-        for (label i = 0; i < n; ++i)
-        {
-            least = min(least, of(i));
-            most = max(most, of(i));
-        }
-        reduce(least, minOp<scalar>());
-        reduce(most, maxOp<scalar>());
-
-        if
-        (
-            least <= most
-         && (value < least*(1 - 1e-6) || value > most*(1 + 1e-6))
-        )
-        {
-            WarningInFunction
-                << "Entry " << name << " in constantProperties of "
-                << properties_.name() << " is " << value
-                << ", but the parcels that are there have "
-                << string(most > least ? Foam::name(least) + " to " : "").c_str()
-                << most << nl << "    They keep their own. The entry is for new parcels"
-                << " (fillParcels, feeding); parcelWeight is also that which"
-                << " restitutionScaling takes" << nl << endl;
-        }
-    };
-
-    check
-    (
-        "parcelWeight",
-        stated.weight,
-        [&](const label i) { return parcels_.weights[i]; }
-    );
-    check
-    (
-        "density",
-        stated.density,
-        [&](const label i) { return parcels_.density(i); }
-    );
-
-    if (properties_.subDict("constantProperties").found("diameter"))
-    {
-        check
-        (
-            "diameter",
-            stated.diameter(),
-            [&](const label i) { return parcels_.diameters[i]; }
-        );
-    }
-}
-
-
-void Foam::cghs::cghsCloud::makeValves()
-{
-    const dictionary& boundary = properties_.subDict("boundary");
-
-    for (const label patchi : transport_.patchesOf(transport::action::valve))
-    {
-        const word& name = mesh_.boundaryMesh()[patchi].name();
-
-        if (!boundary.isDict(name))
-        {
-            FatalIOErrorInFunction(boundary)
-                << "Patch " << name << " is an inventoryValve, but has no"
-                << " inventory" << nl << "Write "
-                << name << " { type inventoryValve; inventory <kg>; }" << nl
-                << exit(FatalIOError);
-        }
-
-        valves_.append
-        (
-            new inventoryValve(boundary.subDict(name), mesh_, patchi)
-        );
-    }
 }
 
 
@@ -223,7 +93,7 @@ Foam::cghs::cghsCloud::cghsCloud
         contactModel_->needsShifts(),
         max(contactModel_->materials().size(), 1)
     ),
-    exchanges_(cghs::exchange::New(subModels(), mesh, parcels_)),
+    exchanges_(subModels(), mesh, parcels_),
     transport_(mesh, properties_.subDict("boundary")),
     contacts_
     (
@@ -236,21 +106,18 @@ Foam::cghs::cghsCloud::cghsCloud
     ),
     wallMotion_(mesh),
     feeding_(properties_, parcels_, mesh),
+    valves_
+    (
+        properties_.subDict("boundary"),
+        mesh,
+        transport_.patchesOf(transport::action::valve)
+    ),
     momentum_(nullptr),
     present_(true),
     exchanging_(false)
 {
-    checkEntries();
-    makeValves();
-
-    for (cghs::exchange& e : exchanges_)
-    {
-        if (e.looksAtContacts())
-        {
-            contacts_.startLending(e.needs());
-            e.setWalls(contacts_.wallPatches());
-        }
-    }
+    checkEntries(properties_, parcels_);
+    exchanges_.startLending(contacts_);
 
     if (feeding_.recycling())
     {
@@ -259,32 +126,14 @@ Foam::cghs::cghsCloud::cghsCloud
     if
     (
         coupling_ == couplingType::twoWay
-     && (feeding_.needed() || valves_.size())
+     && (feeding_.needed() || !valves_.empty())
     )
     {
         parcels_.startFading();
     }
 
-    if (contacts_.remembers())
-    {
-        parcels_.add(contacts_.formerIndices());
-    }
-
     const dictionary flows(readFlows(mesh, name));
-    const bool sameIds =
-        readParcels
-        (
-            mesh,
-            name,
-            properties_.subDict("constantProperties"),
-            parcels_
-        );
-    if (sameIds && contacts_.understands(flows.subOrEmptyDict("contacts")))
-    {
-        readMemories(*this, parcels_, contacts_);
-    }
-    checkConstants();
-    transport_.constrain(parcels_);
+    readAll(flows);
 
     if (coupling_ != couplingType::none)
     {
@@ -294,6 +143,31 @@ Foam::cghs::cghsCloud::cghsCloud
     state_ = transport_.survey(parcels_);
     contacts_.expect(largestSpeed());
     setFlows(flows);
+}
+
+
+void Foam::cghs::cghsCloud::readAll(const dictionary& flows)
+{
+    if (contacts_.remembers())
+    {
+        parcels_.add(contacts_.formerIndices());
+    }
+
+    const bool sameIds =
+        readParcels
+        (
+            mesh_,
+            name(),
+            properties_.subDict("constantProperties"),
+            parcels_
+        );
+
+    if (sameIds && contacts_.understands(flows.subOrEmptyDict("contacts")))
+    {
+        readMemories(*this, parcels_, contacts_);
+    }
+    checkConstants(properties_, parcels_);
+    transport_.constrain(parcels_);
 }
 
 
@@ -365,69 +239,6 @@ void Foam::cghs::cghsCloud::settle()
 }
 
 
-void Foam::cghs::cghsCloud::fade(const scalar deltaT)
-{
-    for (label i = 0; i < parcels_.size(); ++i)
-    {
-        // In the time in which it moves by its diameter, or falls it
-        const scalar d = 2*parcels_.spheres[i].r;
-        const scalar rate =
-            max(mag(parcels_.motions[i].v)/d, sqrt(mag(g_)/d));
-        const scalar change =
-            parcels_.exits[i] == -1 ? deltaT*rate : -deltaT*rate;
-
-        parcels_.presences[i] =
-            min(max(parcels_.presences[i] + change, 0), 1);
-    }
-}
-
-
-void Foam::cghs::cghsCloud::openValves(labelUList& exits) const
-{
-    if (valves_.empty())
-    {
-        return;
-    }
-
-    scalar mass = 0;
-    forAll(exits, i)
-    {
-        mass += exits[i] == -1 ? parcels_.motions[i].mass() : 0;
-    }
-    reduce(mass, sumOp<scalar>());
-
-    for (const inventoryValve& valve : valves_)
-    {
-        mass -= valve.release(parcels_, mass, exits);
-    }
-}
-
-
-Foam::labelList Foam::cghs::cghsCloud::findLeaving(const scalar deltaT)
-{
-    labelList exits(parcels_.size(), -1);
-
-    if (!parcels_.fading())
-    {
-        openValves(exits);
-        return exits;
-    }
-
-    fade(deltaT);
-    openValves(parcels_.exits);
-
-    forAll(exits, i)
-    {
-        if (parcels_.presences[i] <= 0)
-        {
-            exits[i] = parcels_.exits[i];
-        }
-    }
-
-    return exits;
-}
-
-
 void Foam::cghs::cghsCloud::feed(const scalar deltaT)
 {
     if (valves_.empty() && !feeding_.needed())
@@ -437,7 +248,7 @@ void Foam::cghs::cghsCloud::feed(const scalar deltaT)
 
     addProfiling(feed, "cghs::feed");
 
-    const labelList exits(findLeaving(deltaT));
+    const labelList exits(valves_.findLeaving(parcels_, deltaT, g_));
     bool anyLeaves = false;
     for (const label patchi : exits)
     {
@@ -491,12 +302,9 @@ void Foam::cghs::cghsCloud::solidsStep
         {
             fall(half);
         }
-        for (cghs::exchange& e : exchanges_)
+        if (exchanges_.kick(parcels_, half))
         {
-            if (e.kick(parcels_, half))
-            {
-                contacts_.resized(0);
-            }
+            contacts_.resized(0);
         }
     }
 
@@ -509,12 +317,9 @@ void Foam::cghs::cghsCloud::solidsStep
         {
             fall(half);
         }
-        for (cghs::exchange& e : exchanges_)
+        if (exchanges_.kickAgain(parcels_, half))
         {
-            if (e.kickAgain(parcels_, half))
-            {
-                contacts_.resized(0);
-            }
+            contacts_.resized(0);
         }
     }
 
@@ -523,16 +328,13 @@ void Foam::cghs::cghsCloud::solidsStep
     {
         addProfiling(suspension, "cghs::suspension");
 
-        for (cghs::exchange& e : exchanges_)
-        {
-            e.settle(parcels_, half, last, fluidDeltaT);
-        }
+        exchanges_.settle(parcels_, half, last, fluidDeltaT);
     }
 
-    lendContacts(deltaT);
+    exchanges_.lendContacts(contacts_, parcels_, deltaT);
     if (last)
     {
-        lendNeighbours(fluidDeltaT);
+        exchanges_.lendNeighbours(contacts_, parcels_, fluidDeltaT);
     }
 
     state_ = transport_.move(parcels_, deltaT);
@@ -540,75 +342,21 @@ void Foam::cghs::cghsCloud::solidsStep
 }
 
 
-void Foam::cghs::cghsCloud::lendContacts(const scalar deltaT)
+void Foam::cghs::cghsCloud::checkSteps
+(
+    const scalar n,
+    const scalar remaining
+) const
 {
-    for (cghs::exchange& e : exchanges_)
+    if (!(n < 1e6))
     {
-        const UList<cghs::exchange::lookRound>& rounds = e.contactRounds();
-
-        if (rounds.size())
-        {
-            contacts_.refreshSizes(parcels_);
-        }
-
-        forAll(rounds, k)
-        {
-            contacts_.lend
-            (
-                rounds[k].shown,
-                rounds[k].collected,
-                &contactLog::now,
-                [&](const contactList& list)
-                {
-                    k == 0
-                  ? e.touch(list, parcels_, deltaT)
-                  : e.touchAgain(list, parcels_, deltaT);
-                }
-            );
-        }
-
-        if (rounds.size())
-        {
-            e.touched(parcels_);
-        }
-    }
-}
-
-
-void Foam::cghs::cghsCloud::lendNeighbours(const scalar fluidDeltaT)
-{
-    bool found = false;
-
-    for (cghs::exchange& e : exchanges_)
-    {
-        const UList<cghs::exchange::lookRound>& rounds = e.neighbourRounds();
-
-        if (rounds.empty())
-        {
-            continue;
-        }
-        if (!found)
-        {
-            contacts_.findNeighbours(parcels_);
-            found = true;
-        }
-
-        forAll(rounds, k)
-        {
-            contacts_.lend
-            (
-                rounds[k].shown,
-                rounds[k].collected,
-                &contactLog::near,
-                [&](const contactList& list)
-                {
-                    k == 0
-                  ? e.near(list, parcels_, fluidDeltaT)
-                  : e.nearAgain(list, parcels_, fluidDeltaT);
-                }
-            );
-        }
-        e.wereNear(parcels_);
+        FatalErrorInFunction
+            << "The parcels' speed asks for " << n << " solids steps in "
+            << remaining << " s" << nl
+            << "The fastest moves by its diameter in "
+            << state_.diameterTime << " s: the run has gone out of hand."
+            << " Lower maxCo or maxDeltaT" << nl
+            << exit(FatalError);
     }
 }
 
@@ -637,16 +385,8 @@ void Foam::cghs::cghsCloud::evolve(const scalar deltaT)
         const scalar n = ceil(remaining/solidsDeltaT() - SMALL);
         const bool last = n <= 1;
 
-        if (!(n < 1e6))
-        {
-            FatalErrorInFunction
-                << "The parcels' speed asks for " << n << " solids steps in "
-                << remaining << " s" << nl
-                << "The fastest moves by its diameter in "
-                << state_.diameterTime << " s: the run has gone out of hand."
-                << " Lower maxCo or maxDeltaT" << nl
-                << exit(FatalError);
-        }
+        checkSteps(n, remaining);
+
         const scalar dt = last ? remaining : remaining/n;
 
         solidsStep(dt, last, deltaT);
@@ -656,17 +396,11 @@ void Foam::cghs::cghsCloud::evolve(const scalar deltaT)
         log_.minDeltaT = min(log_.minDeltaT, dt);
     }
 
-    for (cghs::exchange& e : exchanges_)
-    {
-        e.evolve(parcels_, deltaT);
-    }
+    exchanges_.evolve(parcels_, deltaT);
 
     if (loads())
     {
-        for (cghs::exchange& e : exchanges_)
-        {
-            e.leave(parcels_, deltaT);
-        }
+        exchanges_.leave(parcels_, deltaT);
         log_.nCrowdedCells = momentum_->nCrowdedCells();
     }
 
@@ -689,24 +423,7 @@ void Foam::cghs::cghsCloud::meet(carrierFluid& fluid)
         return;
     }
 
-    for (cghs::exchange& e : exchanges_)
-    {
-        e.meet(parcels_, fluid);
-    }
-}
-
-
-Foam::cghs::exchangeTerms
-Foam::cghs::cghsCloud::terms(const word& quantity) const
-{
-    exchangeTerms sum;
-
-    for (const cghs::exchange& e : exchanges_)
-    {
-        sum.add(e.terms(quantity));
-    }
-
-    return sum;
+    exchanges_.meet(parcels_, fluid);
 }
 
 
@@ -721,63 +438,11 @@ void Foam::cghs::cghsCloud::complete
         return;
     }
 
-    for (cghs::exchange& e : exchanges_)
-    {
-        e.complete(parcels_, fluid, deltaT);
-    }
+    exchanges_.complete(parcels_, fluid, deltaT);
     exchanging_ = false;
 }
 
 // * * * * * * * * * * * * * * * * Reports * * * * * * * * * * * * * * * * * //
-
-Foam::cghs::census Foam::cghs::cghsCloud::count() const
-{
-    census c;
-
-    for (label i = 0; i < parcels_.size(); ++i)
-    {
-        const motion& m = parcels_.motions[i];
-        const scalar mass = m.mass();
-
-        ++c.nParcels;
-        c.mass += mass;
-        c.volume += parcels_.volume(i);
-        c.momentum += mass*m.v;
-        c.massMoment += mass*parcels_.spheres[i].x;
-        c.kineticEnergy += 0.5*mass*magSqr(m.v);
-        c.meanVelocity += m.v;
-        c.meanSquare += cmptMultiply(m.v, m.v);
-
-        if (parcels_.spinning())
-        {
-            c.rotationalEnergy +=
-                0.5*inertiaFactor*mass*sqr(parcels_.spheres[i].r)
-               *magSqr(parcels_.spins[i]);
-        }
-    }
-
-    reduce(c.nParcels, sumOp<label>());
-
-    for (scalar* s : {&c.mass, &c.volume, &c.kineticEnergy, &c.rotationalEnergy})
-    {
-        reduce(*s, sumOp<scalar>());
-    }
-
-    for
-    (
-        vector* v
-      : {&c.momentum, &c.massMoment, &c.meanVelocity, &c.meanSquare}
-    )
-    {
-        reduce(*v, sumOp<vector>());
-    }
-
-    c.meanVelocity /= max(c.nParcels, 1);
-    c.meanSquare /= max(c.nParcels, 1);
-
-    return c;
-}
-
 
 Foam::scalar Foam::cghs::cghsCloud::massFed() const
 {
@@ -801,11 +466,7 @@ std::size_t Foam::cghs::cghsCloud::bytesPerParcel() const
 void Foam::cghs::cghsCloud::report(Ostream& os) const
 {
     feeding_.report(os);
-
-    for (const cghs::exchange& e : exchanges_)
-    {
-        e.report(parcels_, os);
-    }
+    exchanges_.report(parcels_, os);
 }
 
 // * * * * * * * * * * * * * * * Input and output  * * * * * * * * * * * * * //
@@ -839,16 +500,7 @@ Foam::dictionary Foam::cghs::cghsCloud::flows() const
     flows.add("diameterTime", state_.diameterTime);
     flows.add("contacts", contacts_.state());
 
-    dictionary states;
-    for (const cghs::exchange& e : exchanges_)
-    {
-        dictionary state;
-        e.state(state);
-        if (!state.empty())
-        {
-            states.add(e.type(), state);
-        }
-    }
+    const dictionary states(exchanges_.state());
     if (!states.empty())
     {
         flows.add("exchanges", states);
@@ -857,33 +509,9 @@ Foam::dictionary Foam::cghs::cghsCloud::flows() const
 }
 
 
-void Foam::cghs::cghsCloud::checkCount(const dictionary& flows) const
-{
-    const label found = returnReduce(parcels_.size(), sumOp<label>());
-    const label written = flows.getOrDefault<label>("nParcels", found);
-
-    if (found != written)
-    {
-        FatalIOErrorInFunction(flows)
-            << "Cloud " << name() << ": " << written << " parcels were written,"
-            << " but " << found << " are found" << nl
-            << "Is a folder " << mesh_.time().timeName()/cloud::prefix/name()
-            << (
-                   found < written
-                 ? " or a file in it missing, on one of the ranks? Restore it,"
-                 : " left over from another run, on one of the ranks? Remove it,"
-               )
-            << " or restart from an earlier time" << nl
-            << "If parcels were added or taken out on purpose remove the entry"
-            << " nParcels" << nl
-            << exit(FatalIOError);
-    }
-}
-
-
 void Foam::cghs::cghsCloud::setFlows(const dictionary& flows)
 {
-    checkCount(flows);
+    checkCount(flows, parcels_, mesh_, name());
 
     const dictionary byPatch(flows.subOrEmptyDict("massEscaped"));
     scalarField escaped(mesh_.boundaryMesh().size(), Zero);
@@ -904,11 +532,7 @@ void Foam::cghs::cghsCloud::setFlows(const dictionary& flows)
     flows.readIfPresent("diameterTime", state_.diameterTime);
     contacts_.setState(flows.subOrEmptyDict("contacts"));
 
-    const dictionary states(flows.subOrEmptyDict("exchanges"));
-    for (cghs::exchange& e : exchanges_)
-    {
-        e.setState(states.subOrEmptyDict(e.type()));
-    }
+    exchanges_.setState(flows.subOrEmptyDict("exchanges"));
 }
 
 

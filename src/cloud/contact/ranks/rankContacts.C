@@ -4,112 +4,43 @@
 \*---------------------------------------------------------------------------*/
 
 #include "rankContacts.H"
-#include "periodicShifts.H"
-#include "PstreamReduceOps.H"
-#include "boolList.H"
-#include "ListOps.H"
-
-namespace Foam
-{
-namespace cghs
-{
-
-static boundBox widened(const boundBox& box, const scalar by)
-{
-    const vector margin(vector::uniform(by));
-    return boundBox(box.min() - margin, box.max() + margin);
-}
-
-
-static boundBox boxOf(const arena& parcels)
-{
-    boundBox box(boundBox::invertedBox);
-
-    for (label i = 0; i < parcels.size(); ++i)
-    {
-        box.min() = min(box.min(), parcels.spheres[i].x);
-        box.max() = max(box.max(), parcels.spheres[i].x);
-    }
-
-    return box;
-}
-
-} // End namespace cghs
-} // End namespace Foam
 
 // * * * * * * * * * * * * * * * * The wire  * * * * * * * * * * * * * * * * //
 
-void Foam::cghs::rankContacts::send(const label rank) const
-{
-    if (buffer_.size())
-    {
-        UOPstream::write
-        (
-            Pstream::commsTypes::scheduled,
-            rank,
-            reinterpret_cast<const char*>(buffer_.cdata()),
-            buffer_.byteSize()
-        );
-    }
-}
-
-
-void Foam::cghs::rankContacts::receive(const label rank, const label n)
-{
-    buffer_.resize(n);
-
-    if (n)
-    {
-        UIPstream::read
-        (
-            Pstream::commsTypes::scheduled,
-            rank,
-            reinterpret_cast<char*>(buffer_.data()),
-            buffer_.byteSize()
-        );
-    }
-}
-
-
-void Foam::cghs::rankContacts::append(const vector& v)
-{
-    buffer_.append(v.x());
-    buffer_.append(v.y());
-    buffer_.append(v.z());
-}
-
-
-void Foam::cghs::rankContacts::packMotions
+void Foam::cghs::rankContacts::sendMotions
 (
     const arena& parcels,
-    const UList<label>& which
+    const meeting& m
 )
 {
-    buffer_.clear();
+    wire_.clear();
 
-    for (const label i : which)
+    for (const label i : m.guests)
     {
-        append(parcels.motions[i].v);
+        wire_.append(parcels.motions[i].v);
 
         if (parcels.spinning())
         {
-            append(parcels.spins[i]);
+            wire_.append(parcels.spins[i]);
         }
         if (parcels.shifting())
         {
-            append(parcels.shifts[i]);
+            wire_.append(parcels.shifts[i]);
         }
     }
+
+    wire_.send(m.rank);
 }
 
 
-void Foam::cghs::rankContacts::unpackMotions
+void Foam::cghs::rankContacts::receiveMotions
 (
     arena& parcels,
-    const UList<label>& which
-) const
+    const meeting& m
+)
 {
-    const scalar* from = buffer_.cdata();
+    const scalar* from =
+        wire_.receive(m.rank, m.guests.size()*motionSize(parcels));
 
     const auto next = [&]()
     {
@@ -118,7 +49,7 @@ void Foam::cghs::rankContacts::unpackMotions
         return v;
     };
 
-    for (const label i : which)
+    for (const label i : m.guests)
     {
         parcels.motions[i].v = next();
 
@@ -135,74 +66,15 @@ void Foam::cghs::rankContacts::unpackMotions
 
 // * * * * * * * * * * * * * * * * Invitations * * * * * * * * * * * * * * * //
 
-void Foam::cghs::rankContacts::schedule
-(
-    const List<boundBox>& boxes,
-    const scalar reach
-)
+void Foam::cghs::rankContacts::schedule(const UList<label>& ranks)
 {
-    const label nRanks = Pstream::nProcs();
-    const label me = Pstream::myProcNo();
-    const List<vector> shifts(periodicShifts(periods_, false));
+    meetings_.resize(ranks.size());
 
-    const auto meet = [&](const label p, const label q)
-    {
-        if (boxes[p].empty() || boxes[q].empty())
-        {
-            return false;
-        }
-
-        const boundBox near(widened(boxes[p], reach));
-        bool found = near.overlaps(boxes[q]);
-
-        for (const vector& s : shifts)
-        {
-            found =
-                found
-             || near.overlaps(boundBox(boxes[q].min() + s, boxes[q].max() + s));
-        }
-
-        return found;
-    };
-
-    // Each pair takes the first round in which neither of the two is busy.
-    // All ranks work out the same rounds
-    List<DynamicList<label>> busy(nRanks);
-    DynamicList<labelPair> mine;
-
-    for (label p = 0; p < nRanks; ++p)
-    {
-        for (label q = p + 1; q < nRanks; ++q)
-        {
-            if (!meet(p, q))
-            {
-                continue;
-            }
-
-            label round = 0;
-            while (busy[p].found(round) || busy[q].found(round))
-            {
-                ++round;
-            }
-
-            busy[p].append(round);
-            busy[q].append(round);
-
-            if (p == me || q == me)
-            {
-                mine.append(labelPair(round, p == me ? q : p));
-            }
-        }
-    }
-
-    Foam::sort(mine);
-    meetings_.resize(mine.size());
-
-    forAll(mine, i)
+    forAll(ranks, i)
     {
         meeting& m = meetings_[i];
-        m.rank = mine[i].second();
-        m.resolver = me < m.rank;
+        m.rank = ranks[i];
+        m.resolver = Pstream::myProcNo() < m.rank;
         m.guests.clear();
         m.log.clear();
     }
@@ -212,11 +84,10 @@ void Foam::cghs::rankContacts::schedule
 void Foam::cghs::rankContacts::borrow
 (
     arena& parcels,
-    const List<boundBox>& boxes,
+    const rankBoxes& boxes,
     const scalar reach
 )
 {
-    const List<vector> shifts(periodicShifts(periods_, false));
     const label nOwn = parcels.size();
 
     forAll(meetings_, mi)
@@ -247,19 +118,9 @@ void Foam::cghs::rankContacts::borrow
 
             for (label i = 0; i < nOwn; ++i)
             {
-                const vector& x = parcels.spheres[i].x;
-                const boundBox near
-                (
-                    widened(boxes[m.rank], parcels.spheres[i].r + reach)
-                );
-                bool wanted = near.contains(x);
+                const sphere& s = parcels.spheres[i];
 
-                for (const vector& s : shifts)
-                {
-                    wanted = wanted || near.contains(x + s);
-                }
-
-                if (wanted)
+                if (boxes.near(m.rank, s.x, s.r + reach))
                 {
                     lent.append(i);
                 }
@@ -276,68 +137,17 @@ void Foam::cghs::rankContacts::borrow
     }
 }
 
-
-void Foam::cghs::rankContacts::addImages
-(
-    arena& parcels,
-    const boundBox& box,
-    const scalar reach
-)
-{
-    images_.clear();
-
-    if (periods_.empty() || box.empty())
-    {
-        firstImage_ = parcels.spheres.size();
-        return;
-    }
-
-    // A pair of own parcels would be met from both its sides: half of the
-    // shifts will do. A borrowed guest is seen from this side only
-    const List<vector> ownShifts(periodicShifts(periods_, true));
-    const List<vector> guestShifts(periodicShifts(periods_, false));
-
-    forAll(parcels.spheres, i)
-    {
-        const sphere& body = parcels.spheres[i];
-        const boundBox near(widened(box, body.r + reach));
-
-        for (const vector& s : i < parcels.size() ? ownShifts : guestShifts)
-        {
-            if (near.contains(body.x + s))
-            {
-                images_.append(image{i, s});
-            }
-        }
-    }
-
-    firstImage_ = parcels.addGuests(images_.size());
-    placeImages(parcels);
-}
-
-
-void Foam::cghs::rankContacts::placeImages(arena& parcels) const
-{
-    forAll(images_, k)
-    {
-        const sphere& s = parcels.spheres[images_[k].body];
-
-        parcels.spheres[firstImage_ + k] = sphere(s.x + images_[k].shift, s.r);
-    }
-}
-
 // * * * * * * * * * * * * * * * * * Public  * * * * * * * * * * * * * * * * //
 
 Foam::cghs::rankContacts::rankContacts(const List<vector>& periods)
 :
-    periods_(periods),
-    firstImage_(0)
+    images_(periods)
 {}
 
 
 bool Foam::cghs::rankContacts::active() const
 {
-    return meetings_.size() || images_.size();
+    return meetings_.size() || !images_.empty();
 }
 
 
@@ -353,20 +163,15 @@ void Foam::cghs::rankContacts::invite
     guestIds_.clear();
     meetings_.clear();
 
-    const boundBox box(boxOf(parcels));
+    const rankBoxes boxes(parcels, images_.periods());
 
     if (Pstream::parRun())
     {
-        List<boundBox> boxes(Pstream::nProcs());
-        boxes[Pstream::myProcNo()] = box;
-        Pstream::gatherList(boxes);
-        Pstream::scatterList(boxes);
-
-        schedule(boxes, 2*largest + skin);
+        schedule(boxes.partners(2*largest + skin));
         borrow(parcels, boxes, largest + skin);
     }
 
-    addImages(parcels, box, largest + skin);
+    images_.add(parcels, boxes.own(), largest + skin);
 }
 
 
@@ -382,9 +187,8 @@ void Foam::cghs::rankContacts::refreshPositions
     {
         if (m.resolver)
         {
-            receive(m.rank, n*m.guests.size());
+            const scalar* from = wire_.receive(m.rank, n*m.guests.size());
 
-            const scalar* from = buffer_.cdata();
             for (const label g : m.guests)
             {
                 parcels.spheres[g].x = vector(from[0], from[1], from[2]);
@@ -397,20 +201,20 @@ void Foam::cghs::rankContacts::refreshPositions
         }
         else
         {
-            buffer_.clear();
+            wire_.clear();
             for (const label i : m.guests)
             {
-                append(parcels.spheres[i].x);
+                wire_.append(parcels.spheres[i].x);
                 if (velocities)
                 {
-                    append(parcels.motions[i].v);
+                    wire_.append(parcels.motions[i].v);
                 }
             }
-            send(m.rank);
+            wire_.send(m.rank);
         }
     }
 
-    placeImages(parcels);
+    images_.place(parcels);
 }
 
 
@@ -420,9 +224,8 @@ void Foam::cghs::rankContacts::refreshSizes(arena& parcels)
     {
         if (m.resolver)
         {
-            receive(m.rank, 2*m.guests.size());
+            const scalar* size = wire_.receive(m.rank, 2*m.guests.size());
 
-            const scalar* size = buffer_.cdata();
             for (const label g : m.guests)
             {
                 parcels.spheres[g].r = size[0];
@@ -432,21 +235,15 @@ void Foam::cghs::rankContacts::refreshSizes(arena& parcels)
         }
         else
         {
-            buffer_.clear();
+            wire_.clear();
             for (const label i : m.guests)
             {
-                buffer_.append(parcels.spheres[i].r);
-                buffer_.append(parcels.motions[i].invMass);
+                wire_.append(parcels.spheres[i].r);
+                wire_.append(parcels.motions[i].invMass);
             }
-            send(m.rank);
+            wire_.send(m.rank);
         }
     }
-}
-
-
-Foam::label Foam::cghs::rankContacts::bodyOf(const label guest) const
-{
-    return guest < firstImage_ ? guest : images_[guest - firstImage_].body;
 }
 
 
@@ -489,11 +286,8 @@ void Foam::cghs::rankContacts::clearContacts(const bool keep)
 
 void Foam::cghs::rankContacts::lend(arena& parcels, const meeting& m)
 {
-    packMotions(parcels, m.guests);
-    send(m.rank);
-
-    receive(m.rank, m.guests.size()*motionSize(parcels));
-    unpackMotions(parcels, m.guests);
+    sendMotions(parcels, m);
+    receiveMotions(parcels, m);
 }
 
 

@@ -1,0 +1,163 @@
+/*---------------------------------------------------------------------------*\
+    cghsFoam | coarse-grained hard spheres in OpenFOAM
+    GPL-3.0-or-later, see LICENSE
+\*---------------------------------------------------------------------------*/
+
+#include "cloudChecks.H"
+#include "cloudProperties.H"
+#include "knownEntries.H"
+#include "cloud.H"
+#include "polyMesh.H"
+#include "Time.H"
+#include "PstreamReduceOps.H"
+
+namespace Foam
+{
+namespace cghs
+{
+
+//- Warn if an entry of constantProperties is not what parcels have
+template<class Value>
+static void warnIfOthers
+(
+    const dictionary& properties,
+    const arena& parcels,
+    const char* name,
+    const scalar value,
+    const Value& of
+)
+{
+    scalar least = GREAT, most = -GREAT;
+    for (label i = 0; i < parcels.size(); ++i)
+    {
+        least = min(least, of(i));
+        most = max(most, of(i));
+    }
+    reduce(least, minOp<scalar>());
+    reduce(most, maxOp<scalar>());
+
+    if
+    (
+        least <= most
+     && (value < least*(1 - 1e-6) || value > most*(1 + 1e-6))
+    )
+    {
+        const string from(most > least ? Foam::name(least) + " to " : "");
+
+        WarningInFunction
+            << "Entry " << name << " in constantProperties of "
+            << properties.name() << " is " << value
+            << ", but the parcels that are there have "
+            << from.c_str() << most << nl
+            << "    They keep their own. The entry is for new parcels"
+            << " (fillParcels, feeding); parcelWeight is also that which"
+            << " restitutionScaling takes" << nl << endl;
+    }
+}
+
+} // End namespace cghs
+} // End namespace Foam
+
+
+void Foam::cghs::checkEntries
+(
+    const dictionary& properties,
+    const arena& parcels
+)
+{
+    warnUnknownEntries
+    (
+        properties,
+        wordList
+        ({
+            "solution", "constantProperties", "subModels", "boundary", "feeding"
+        }),
+        true
+    );
+    warnUnknownEntries
+    (
+        properties.subDict("solution"),
+        wordList
+        ({
+            "coupling", "fluid", "maxDisplacement", "maxDeltaT",
+            "neighbourSkin", "minVoidage", "transported", "energyCoeffs"
+        })
+    );
+    wordList constants({"diameter", "density", "parcelWeight"});
+    constants.append(parcels.entryNames());
+    warnUnknownEntries(properties.subDict("constantProperties"), constants);
+    warnUnknownEntries
+    (
+        properties.subDict("subModels"),
+        wordList({"contactModel", "dragModel", "mappingModel", "exchanges"})
+    );
+}
+
+
+void Foam::cghs::checkConstants
+(
+    const dictionary& properties,
+    const arena& parcels
+)
+{
+    const particleProperties stated(properties);
+
+    warnIfOthers
+    (
+        properties,
+        parcels,
+        "parcelWeight",
+        stated.weight,
+        [&](const label i) { return parcels.weights[i]; }
+    );
+    warnIfOthers
+    (
+        properties,
+        parcels,
+        "density",
+        stated.density,
+        [&](const label i) { return parcels.density(i); }
+    );
+
+    if (properties.subDict("constantProperties").found("diameter"))
+    {
+        warnIfOthers
+        (
+            properties,
+            parcels,
+            "diameter",
+            stated.diameter(),
+            [&](const label i) { return parcels.diameters[i]; }
+        );
+    }
+}
+
+
+void Foam::cghs::checkCount
+(
+    const dictionary& flows,
+    const arena& parcels,
+    const polyMesh& mesh,
+    const word& cloudName
+)
+{
+    const label found = returnReduce(parcels.size(), sumOp<label>());
+    const label written = flows.getOrDefault<label>("nParcels", found);
+
+    if (found != written)
+    {
+        FatalIOErrorInFunction(flows)
+            << "Cloud " << cloudName << ": " << written << " parcels were"
+            << " written, but " << found << " are found" << nl
+            << "Is a folder " << mesh.time().timeName()/cloud::prefix/cloudName
+            << (
+                   found < written
+                 ? " or a file in it missing, on one of the ranks? Restore it,"
+                 : " left over from another run, on one of the ranks? Remove it,"
+               )
+            << " or restart from an earlier time" << nl
+            << "If parcels were added or taken out on purpose remove the entry"
+            << " nParcels" << nl
+            << exit(FatalIOError);
+    }
+}
