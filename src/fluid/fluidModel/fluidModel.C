@@ -524,6 +524,21 @@ void Foam::cghs::fluidModel::keepFluxes()
 }
 
 
+Foam::tmp<Foam::volScalarField>
+Foam::cghs::fluidModel::dissipation(const cghsCloud& parcels) const
+{
+    tmp<volScalarField> power(viscousStress() && fvc::grad(U_));
+
+    if (parcels.loads())
+    {
+        power.ref() +=
+            parcels.momentumExchange().dissipation(parcels.parcels());
+    }
+
+    return power;
+}
+
+
 void Foam::cghs::fluidModel::solveTransported(const cghsCloud& parcels)
 {
     tmp<volScalarField> massSource;
@@ -533,7 +548,17 @@ void Foam::cghs::fluidModel::solveTransported(const cghsCloud& parcels)
         massSource = momentumDensity()*source_();
     }
 
-    transported_.solve(alpha_, rho(), massSource, *options_, parcels);
+    tmp<volScalarField> heating;
+
+    if (transported_.dissipates())
+    {
+        heating = dissipation(parcels);
+    }
+
+    transported_.solve
+    (
+        alpha_, rho(), massSource, heating, *options_, parcels
+    );
     transportedSolved();
 }
 

@@ -251,6 +251,18 @@ Foam::tmp<Foam::volScalarField> Foam::cghs::momentum::dragResponse() const
 
 
 Foam::tmp<Foam::volScalarField>
+Foam::cghs::momentum::dissipation(const arena& parcels) const
+{
+    return spreadDensity
+    (
+        "dragDissipation",
+        suspension_.dissipation(parcels),
+        dimPower/dimVolume
+    );
+}
+
+
+Foam::tmp<Foam::volScalarField>
 Foam::cghs::momentum::yieldToVelocity() const
 {
     addProfiling(mapping, "cghs::mapping");

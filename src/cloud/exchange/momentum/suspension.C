@@ -430,6 +430,52 @@ void Foam::cghs::suspension::load
 }
 
 
+Foam::scalarField Foam::cghs::suspension::dissipation
+(
+    const arena& parcels
+) const
+{
+    const auto power = [&](const label i)
+    {
+        const motion& m = parcels.motions[i];
+
+        return
+            rates_[i]/m.invMass*magSqr(carrierOf(parcels, i).u() - m.v);
+    };
+
+    scalarField sums(kernels_ ? kernels_->rings().nSlots() : nCells_, Zero);
+
+    if (!kernels_)
+    {
+        for (label i = 0; i < parcels.size(); ++i)
+        {
+            sums[parcels.cells[i]] += power(i);
+        }
+        return sums;
+    }
+
+    for (const label i : cellByCell(parcels))
+    {
+        const scalar own = power(i);
+
+        kernels_->visit
+        (
+            parcels.spheres[i].x,
+            parcels.cells[i],
+            [&](const label slot, const scalar share)
+            {
+                sums[slot] += share*own;
+            }
+        );
+    }
+
+    kernels_->rings().collect(sums, plusEqOp<scalar>(), scalar(0));
+    sums.resize(nCells_);
+
+    return sums;
+}
+
+
 inline Foam::vector Foam::cghs::suspension::answer
 (
     const arena& parcels,

@@ -30,6 +30,7 @@ Foam::cghs::energy::energy(const dictionary& dict, fluidModel& fluid)
     he_(thermo_.he()),
     conductivity_(conductivityModel::New(dict)),
     pressureWork_(readPressureWork(dict)),
+    viscousDissipation_(dict.getOrDefault<bool>("viscousDissipation", false)),
     radiation_
     (
         dict.getOrDefault<bool>("radiation", false)
@@ -43,7 +44,11 @@ Foam::cghs::energy::energy(const dictionary& dict, fluidModel& fluid)
     warnUnknownEntries
     (
         dict,
-        wordList({"conductivityModel", "pressureWork", "radiation"})
+        wordList
+        ({
+            "conductivityModel", "pressureWork", "viscousDissipation",
+            "radiation"
+        })
     );
     thermo_.validate("cghsFoam", "h", "e");
     restart();
@@ -162,15 +167,23 @@ Foam::tmp<Foam::volScalarField>
 Foam::cghs::energy::pressurePower(const fluidFlow& flow) const
 {
     const volScalarField& p = thermo_.p();
+    tmp<volScalarField> power
+    (
+        enthalpy()
+      ? flow.alpha*fvc::ddt(p)
+      : -p*fvc::ddt(flow.alpha)
+      - fvc::div(flow.volumeFlux*fvc::interpolate(p))
+    );
 
-    if (enthalpy())
+    if (viscousDissipation_)
     {
-        return flow.alpha*fvc::ddt(p);
+        // What viscosity makes heat of is counted where it does
+        power.ref() +=
+            fvc::div(flow.volumeFlux*fvc::interpolate(p))
+          - p*fvc::div(flow.volumeFlux);
     }
 
-    return
-      - p*fvc::ddt(flow.alpha)
-      - fvc::div(flow.volumeFlux*fvc::interpolate(p));
+    return power;
 }
 
 
@@ -270,6 +283,11 @@ void Foam::cghs::energy::solve
         others -= power();
     }
 
+    if (viscousDissipation_)
+    {
+        others -= flow.dissipation();
+    }
+
     tmp<fvScalarMatrix> radiated;
 
     if (radiation_.valid())
@@ -328,6 +346,11 @@ void Foam::cghs::energy::solve
     if (pressureWork_)
     {
         balance_.pressure = add(power());
+    }
+
+    if (viscousDissipation_)
+    {
+        balance_.viscosity = add(flow.dissipation());
     }
 
     if (radiated.valid())
@@ -443,7 +466,8 @@ void Foam::cghs::energy::report(Ostream& os) const
         << " W, parcels " << balance_.parcels
         << " W, sources " << balance_.sources
         << " W, pressure " << balance_.pressure
-        << " W, radiation " << balance_.radiation << " W" << nl
+        << " W, radiation " << balance_.radiation
+        << " W, viscosity " << balance_.viscosity << " W" << nl
         << "        energy from nowhere " << defect << " W, relative "
         << mag(defect)/max(balance_.scale, VSMALL)
         << "; T from " << gMin(T) << " to " << gMax(T) << " K" << nl;

@@ -79,6 +79,20 @@ Foam::cghs::transportedQuantities::change(const word& name) const
 }
 
 
+bool Foam::cghs::transportedQuantities::dissipates() const
+{
+    for (const transported& quantity : quantities_)
+    {
+        if (quantity.dissipates())
+        {
+            return true;
+        }
+    }
+
+    return false;
+}
+
+
 void Foam::cghs::transportedQuantities::keepFluxes
 (
     const tmp<surfaceScalarField>& massFlux,
@@ -95,18 +109,23 @@ void Foam::cghs::transportedQuantities::solve
     const volScalarField& alpha,
     const volScalarField& rho,
     const tmp<volScalarField>& source,
+    const tmp<volScalarField>& dissipation,
     fv::optionList& options,
     const cghsCloud& parcels
 )
 {
     fluidFlow flow
     {
-        alpha, rho, massFlux_(), volumeFlux_(), nullptr, options
+        alpha, rho, massFlux_(), volumeFlux_(), nullptr, nullptr, options
     };
 
     if (source.valid())
     {
         flow.source = source;
+    }
+    if (dissipation.valid())
+    {
+        flow.dissipation = dissipation;
     }
 
     for (transported& quantity : quantities_)

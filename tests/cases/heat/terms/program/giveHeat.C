@@ -94,7 +94,7 @@ int main(int argc, char *argv[])
 
         const fluidFlow flow
         {
-            fluid->alpha(), fluid->rho(), massFlux, volumeFlux, nullptr,
+            fluid->alpha(), fluid->rho(), massFlux, volumeFlux, nullptr, nullptr,
             fv::options::New(mesh)
         };
         energy->solve(flow, terms);
