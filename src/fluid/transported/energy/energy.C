@@ -8,6 +8,9 @@
 #include "caseChecks.H"
 #include "knownEntries.H"
 #include "profiling.H"
+#include "syncTools.H"
+#include "cyclicFvPatch.H"
+#include "processorFvPatch.H"
 #include "fvm.H"
 #include "fvc.H"
 #include "addToRunTimeSelectionTable.H"
@@ -18,8 +21,66 @@ namespace cghs
 {
     defineTypeNameAndDebug(energy, 0);
     addToRunTimeSelectionTable(transported, energy, fluid);
+
+
+//- Is there one face beside each of the patch?
+static bool pairsFaces(const fvPatch& patch)
+{
+    return isA<cyclicFvPatch>(patch) || isA<processorFvPatch>(patch);
 }
+
+
+//- Make a convection carry the same through both sides of a coupled face, the
+//  mean of what its scheme has chosen for them: what is upwind or not where a
+//  field is uniform to the last digit (v1912's limiters take zero for positive)
+static tmp<fvScalarMatrix> joinSides(tmp<fvScalarMatrix> tconvection)
+{
+    fvScalarMatrix& convection = tconvection.ref();
+    const fvMesh& mesh = convection.psi().mesh();
+    const label nFaces = mesh.nFaces() - mesh.nInternalFaces();
+    scalarField own(nFaces, Zero);
+    scalarField other(nFaces, Zero);
+
+    const auto sideOf = [&](scalarField& all, const fvPatch& patch)
+    {
+        return SubField<scalar>
+        (
+            all,
+            patch.size(),
+            patch.start() - mesh.nInternalFaces()
+        );
+    };
+
+    for (const fvPatch& patch : mesh.boundary())
+    {
+        if (pairsFaces(patch))
+        {
+            sideOf(own, patch) = convection.internalCoeffs()[patch.index()];
+            sideOf(other, patch) = convection.boundaryCoeffs()[patch.index()];
+        }
+    }
+
+    // There own is what is other here
+    syncTools::swapBoundaryFaceList(mesh, own);
+    syncTools::swapBoundaryFaceList(mesh, other);
+
+    for (const fvPatch& patch : mesh.boundary())
+    {
+        if (pairsFaces(patch))
+        {
+            scalarField& in = convection.internalCoeffs()[patch.index()];
+            scalarField& out = convection.boundaryCoeffs()[patch.index()];
+
+            in = 0.5*(in + sideOf(other, patch));
+            out = 0.5*(out + sideOf(own, patch));
+        }
+    }
+
+    return tconvection;
 }
+
+} // End namespace cghs
+} // End namespace Foam
 
 // * * * * * * * * * * * * * * * Construction  * * * * * * * * * * * * * * * //
 
@@ -217,7 +278,7 @@ Foam::tmp<Foam::fvScalarMatrix> Foam::cghs::energy::transport
 
     return
         fvm::ddt(flow.alpha, flow.rho, he_)
-      + fvm::div(flow.massFlux, he_, scheme)
+      + joinSides(fvm::div(flow.massFlux, he_, scheme))
       - fvm::Sp(closed, he_)
       - fvm::laplacian(conduction, he_);
 }
