@@ -19,7 +19,7 @@ namespace cghs
 Foam::scalar Foam::cghs::Gunn::Nu(const heatedFlow& flow) const
 {
     const scalar e = flow.e;
-    const scalar Re = superficialRe(flow);
+    const scalar Re = this->Re(flow);
     const scalar PrRoot = pow(prandtl(flow), 0.33);
 
     const scalar still = 7 - 10*e + 5*sqr(e);

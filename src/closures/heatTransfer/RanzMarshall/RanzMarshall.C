@@ -18,5 +18,5 @@ namespace cghs
 
 Foam::scalar Foam::cghs::RanzMarshall::Nu(const heatedFlow& flow) const
 {
-    return 2 + 0.6*sqrt(interstitialRe(flow))*cbrt(prandtl(flow));
+    return 2 + 0.6*sqrt(Re(flow))*cbrt(prandtl(flow));
 }

@@ -18,5 +18,5 @@ namespace cghs
 
 Foam::scalar Foam::cghs::Wakao::Nu(const heatedFlow& flow) const
 {
-    return 2 + 1.1*pow(superficialRe(flow), 0.6)*cbrt(prandtl(flow));
+    return 2 + 1.1*pow(Re(flow), 0.6)*cbrt(prandtl(flow));
 }

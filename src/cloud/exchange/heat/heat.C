@@ -343,6 +343,7 @@ void Foam::cghs::heat::complete
     }
 
     balance_.add(fromFluid_, sums[0]);
+    law_->warnOutsideRange();
 
     if (radiation_.valid())
     {

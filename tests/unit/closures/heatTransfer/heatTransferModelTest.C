@@ -127,6 +127,76 @@ TEST_CASE("A batch of Nu has the numbers of one after the other", "[heat]")
 }
 
 
+namespace
+{
+
+//- Ask for a batch of one, as the parcels do, at the law's own Re
+void ask(const heatTransferModel& law, const scalar e, const scalar Re)
+{
+    const bool interstitial = law.type() == "RanzMarshall";
+    scalarField Nu(1);
+
+    law.nusselts
+    (
+        List<heatedFlow>(1, flowAt(e, interstitial ? Re : Re/e, 0.7)),
+        Nu
+    );
+}
+
+}
+
+
+TEST_CASE("Beyond its range a law of convection warns once", "[heat]")
+{
+    claim once("heatTransfer.warnings", 0);
+
+    for (const word law : {"Gunn", "RanzMarshall", "Wakao"})
+    {
+        const heatTransferRange range(heatLawOf(law)->range());
+        const scalarMinMax& e = range.voidage;
+        const scalarMinMax& Re = range.Re;
+
+        const struct { scalar e, Re; } beyond[] =
+        {
+            {0.99*e.min(), 0.5*Re.max()},
+            {1.01*e.max(), 0.5*Re.max()},
+            {e.min(), 0.99*Re.min()},
+            {e.min(), 1.01*Re.max()}
+        };
+
+        for (const auto& asked : beyond)
+        {
+            if (asked.Re == 0)
+            {
+                continue;   // there is nothing below
+            }
+
+            const autoPtr<heatTransferModel> model(heatLawOf(law));
+
+            once.count(!model->warnOutsideRange());
+            ask(*model, 1.001*e.min(), 1.001*Re.min());
+            ask(*model, 0.999*e.max(), 0.999*Re.max());
+            once.count(!model->warnOutsideRange());
+
+            ask(*model, asked.e, asked.Re);
+            once.count(model->warnOutsideRange());
+            ask(*model, asked.e, asked.Re);
+            once.count(!model->warnOutsideRange());
+        }
+
+        // One value alone is not noted
+        const autoPtr<heatTransferModel> model(heatLawOf(law));
+        model->nusselt(flowAt(0.1, 1e7, 0.7));
+        once.count(!model->warnOutsideRange());
+    }
+
+    const autoPtr<heatTransferModel> none(heatLawOf("none"));
+    ask(*none, 0.1, 1e7);
+    once.count(!none->warnOutsideRange());
+    once.settle();
+}
+
+
 // A sphere in a stream by Ranz and Marshall: a verification case of MFiX, whose
 // rate is 0.87863 1/s. Its inputs are known to half of their last digits:
 // conductivity 0.0519 to 1e-3, of which the rate takes 0.70; viscosity 1.86e-5
