@@ -169,6 +169,10 @@ class Case:
         self._field("label", "origId", range(n))
         self._field("label", "origProcId", [0]*n)
 
+    def temperatures(self, T):
+        """Give temperatures to the parcels that are there."""
+        self._field("scalar", "T", T)
+
     def _cloud_file(self, name):
         path = self.folder / "0/lagrangian" / CLOUD / name
         path.parent.mkdir(parents=True, exist_ok=True)

@@ -102,11 +102,13 @@ Foam::cghs::solidsAverages::solidsAverages
         averageField<scalar>("granularTemperatureInCell", sqr(dimVelocity))
     )
 {
-    warnUnknownOfFunction(dict, wordList({"cloud", "blockTime"}));
+    warnUnknownOfFunction(dict, wordList({"cloud", "blockTime", "properties"}));
     read(dict);
+    makeProperties(dict);
 
     if (getProperty("duration", duration_))
     {
+        checkResumed(dict);
         resumeAll();
     }
     if (dict.found("blockTime"))
@@ -162,9 +164,192 @@ void Foam::cghs::solidsAverages::resumeAll()
         }
         inCell_[celli] = M[celli]*temperatureInCell_[celli];
     }
+    resumeProperties();
 
     Info<< type() << ' ' << name() << ": goes on with the means of "
         << duration_ << " s" << nl << endl;
+}
+
+// * * * * * * * * * * * * * * *  Properties * * * * * * * * * * * * * * * * //
+
+Foam::wordList Foam::cghs::solidsAverages::scalarProperties() const
+{
+    wordList names;
+
+    for (const property* p : parcels().properties())
+    {
+        if (isA<propertyOf<scalar>>(*p))
+        {
+            names.append(p->name());
+        }
+    }
+
+    return names;
+}
+
+
+const Foam::UList<Foam::scalar>& Foam::cghs::solidsAverages::valuesOf
+(
+    const word& name
+) const
+{
+    for (const property* p : parcels().properties())
+    {
+        const auto* found = isA<propertyOf<scalar>>(*p);
+
+        if (found && p->name() == name)
+        {
+            return *found;
+        }
+    }
+
+    FatalErrorInFunction
+        << "The parcels have no property " << name << " to average" << nl
+        << "Valid choices: " << flatOutput(scalarProperties()) << nl
+        << exit(FatalError);
+
+    return UList<scalar>::null();
+}
+
+
+Foam::wordList Foam::cghs::solidsAverages::propertyNames() const
+{
+    wordList names(properties_.size());
+
+    forAll(names, k)
+    {
+        names[k] = properties_[k].name;
+    }
+
+    return names;
+}
+
+
+void Foam::cghs::solidsAverages::makeProperties(const dictionary& dict)
+{
+    const wordList names(dict.getOrDefault("properties", wordList()));
+
+    for (const word& name : names)
+    {
+        // cghsFoam -postProcess makes the cloud later than this
+        const bool known = postProcess || scalarProperties().found(name);
+
+        if (!known || propertyNames().found(name))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry properties is " << flatOutput(names) << " but "
+                << (known ? "names " : "parcels have no number ") << name
+                << (known ? " twice" : "") << nl
+                << "Valid choices: " << flatOutput(scalarProperties()) << nl
+                << exit(FatalIOError);
+        }
+
+        properties_.append
+        (
+            new propertyMeans
+            {
+                name,
+                scalarField(mesh_.nCells(), Zero),
+                scalarField(mesh_.nCells(), Zero),
+                averageField<scalar>(name + "Mean", dimless),
+                averageField<scalar>(name + "Prime2Mean", dimless)
+            }
+        );
+    }
+}
+
+
+void Foam::cghs::solidsAverages::checkResumed(const dictionary& dict) const
+{
+    wordList before;
+    getProperty("properties", before);
+
+    if (before != propertyNames())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry properties is " << flatOutput(propertyNames())
+            << " but until time " << mesh_.time().timeName() << " it was "
+            << flatOutput(before) << nl
+            << "Leave it, or rename the function object to start anew" << nl
+            << exit(FatalIOError);
+    }
+}
+
+
+void Foam::cghs::solidsAverages::resumeProperties()
+{
+    const scalarField& M = density_.primitiveField();
+
+    for (propertyMeans& p : properties_)
+    {
+        resume(p.mean);
+        resume(p.variance);
+
+        const scalarField& mean = p.mean.primitiveField();
+        p.content = M*mean;
+        p.square = M*(p.variance.primitiveField() + sqr(mean));
+    }
+}
+
+
+void Foam::cghs::solidsAverages::addProperties(cellSums& sums) const
+{
+    const arena& parcels = this->parcels();
+    const scalarField& V = mesh_.V();
+
+    forAll(properties_, k)
+    {
+        const UList<scalar>& values = valuesOf(properties_[k].name);
+
+        for (label i = 0; i < parcels.size(); ++i)
+        {
+            const label celli = parcels.cells[i];
+            const scalar content =
+                parcels.motions[i].mass()/V[celli]*values[i];
+
+            sums.content[k][celli] += content;
+            sums.square[k][celli] += content*values[i];
+        }
+    }
+}
+
+
+void Foam::cghs::solidsAverages::writeProperties()
+{
+    const scalarField& M = density_.primitiveField();
+
+    forAll(properties_, k)
+    {
+        propertyMeans& p = properties_[k];
+
+        forAll(M, celli)
+        {
+            if (M[celli] > 0)
+            {
+                p.mean[celli] = p.content[celli]/M[celli];
+                p.variance[celli] =
+                    p.square[celli]/M[celli] - sqr(p.mean[celli]);
+            }
+        }
+
+        for (volScalarField* field : {&p.mean, &p.variance})
+        {
+            field->correctBoundaryConditions();
+            field->write();
+        }
+
+        if (blocks_.valid() && blocks_->nBlocks() > 1)
+        {
+            writeValues
+            (
+                p.name + "MeanError",
+                dimless,
+                blocks_->propertyError(k)
+            );
+        }
+    }
+
+    setProperty("properties", propertyNames());
 }
 
 // * * * * * * * * * * * * * * * The errors  * * * * * * * * * * * * * * * * //
@@ -173,7 +358,12 @@ void Foam::cghs::solidsAverages::makeBlocks(const dictionary& dict)
 {
     blocks_.reset
     (
-        new solidsBlocks(positiveScalar(dict, "blockTime"), mesh_.nCells())
+        new solidsBlocks
+        (
+            positiveScalar(dict, "blockTime"),
+            mesh_.nCells(),
+            properties_.size()
+        )
     );
 
     scalar formerLength;
@@ -191,7 +381,7 @@ void Foam::cghs::solidsAverages::makeBlocks(const dictionary& dict)
             << exit(FatalIOError);
     }
 
-    List<tensorField> state(solidsBlocks::nStates);
+    List<tensorField> state(blocks_->nStates());
     forAll(state, k)
     {
         auto field = averageField<tensor>(stateName(k), dimless);
@@ -313,7 +503,7 @@ Foam::cghs::cellSums Foam::cghs::solidsAverages::instant() const
     const arena& parcels = this->parcels();
     const scalarField& V = mesh_.V();
 
-    cellSums s(mesh_.nCells());
+    cellSums s(mesh_.nCells(), properties_.size());
 
     for (label i = 0; i < parcels.size(); ++i)
     {
@@ -326,6 +516,7 @@ Foam::cghs::cellSums Foam::cghs::solidsAverages::instant() const
         s.flux[celli] += density*v;
         s.stress[celli] += density*sqr(v);
     }
+    addProperties(s);
 
     return s;
 }
@@ -366,6 +557,12 @@ bool Foam::cghs::solidsAverages::execute()
         ),
         share
     );
+
+    forAll(properties_, k)
+    {
+        addTo(properties_[k].content, now.content[k], share);
+        addTo(properties_[k].square, now.square[k], share);
+    }
 
     if (blocks_.valid())
     {
@@ -424,6 +621,7 @@ bool Foam::cghs::solidsAverages::write()
         field->write();
     }
 
+    writeProperties();
     setProperty("duration", duration_);
 
     if (blocks_.valid())

@@ -10,13 +10,15 @@
 Foam::cghs::solidsBlocks::solidsBlocks
 (
     const scalar length,
-    const label nCells
+    const label nCells,
+    const label nProperties
 )
 :
+    N_(A + nProperties),
     length_(length),
     elapsed_(0),
-    open_(nCells*N, Zero),
-    closed_(N, nCells),
+    open_(nCells*N_, Zero),
+    closed_(N_, nCells),
     last_(nCells, Zero),
     differences_(nCells, Zero)
 {}
@@ -26,7 +28,7 @@ void Foam::cghs::solidsBlocks::add(const cellSums& now, const scalar deltaT)
 {
     for (label celli = 0; celli < nCells(); ++celli)
     {
-        scalar* sums = &open_[celli*N];
+        scalar* sums = &open_[celli*N_];
 
         sums[PHI] += deltaT*now.fraction[celli];
         sums[M] += deltaT*now.density[celli];
@@ -34,6 +36,10 @@ void Foam::cghs::solidsBlocks::add(const cellSums& now, const scalar deltaT)
         for (direction d = 0; d < 3; ++d)
         {
             sums[P + d] += deltaT*now.flux[celli][d];
+        }
+        forAll(now.content, k)
+        {
+            sums[A + k] += deltaT*now.content[k][celli];
         }
     }
     elapsed_ += deltaT;
@@ -54,7 +60,7 @@ void Foam::cghs::solidsBlocks::addDifferences()
 {
     for (label celli = 0; celli < nCells(); ++celli)
     {
-        const scalar phi = open_[celli*N + PHI];
+        const scalar phi = open_[celli*N_ + PHI];
 
         if (nBlocks() > 0)
         {
@@ -128,7 +134,7 @@ Foam::scalar Foam::cghs::solidsBlocks::error
 
 Foam::scalar Foam::cghs::solidsBlocks::fractionError(const label celli) const
 {
-    scalarList gradient(N, Zero);
+    scalarList gradient(N_, Zero);
     gradient[PHI] = 1;
 
     return error(gradient, celli);
@@ -153,7 +159,7 @@ Foam::vectorField Foam::cghs::solidsBlocks::fluxError() const
 
     for (direction d = 0; d < 3; ++d)
     {
-        scalarList gradient(N, Zero);
+        scalarList gradient(N_, Zero);
         gradient[P + d] = 1;
 
         forAll(result, celli)
@@ -176,7 +182,7 @@ Foam::vectorField Foam::cghs::solidsBlocks::velocityError() const
 
         for (direction d = 0; mass > 0 && d < 3; ++d)
         {
-            scalarList gradient(N, Zero);
+            scalarList gradient(N_, Zero);
             gradient[P + d] = 1/mass;
             gradient[M] = -U[d]/mass;
 
@@ -199,7 +205,7 @@ Foam::scalarField Foam::cghs::solidsBlocks::temperatureError() const
         {
             const vector U(meanVelocity(celli));
 
-            scalarList gradient(N, Zero);
+            scalarList gradient(N_, Zero);
             gradient[Q] = 1;
             gradient[M] = 2*magSqr(U) - closed_.mean(Q, celli)/mass;
             for (direction d = 0; d < 3; ++d)
@@ -213,23 +219,54 @@ Foam::scalarField Foam::cghs::solidsBlocks::temperatureError() const
     return result;
 }
 
+Foam::scalarField Foam::cghs::solidsBlocks::propertyError
+(
+    const label k
+) const
+{
+    scalarField result(nCells(), Zero);
+
+    forAll(result, celli)
+    {
+        const scalar mass = closed_.mean(M, celli);
+
+        if (mass > 0)
+        {
+            scalarList gradient(N_, Zero);
+            gradient[A + k] = 1/mass;
+            gradient[M] = -closed_.mean(A + k, celli)/sqr(mass);
+
+            result[celli] = error(gradient, celli);
+        }
+    }
+    return result;
+}
+
 // * * * * * * * * * * * * * * * Across a restart  * * * * * * * * * * * * * //
+
+Foam::label Foam::cghs::solidsBlocks::nStates() const
+{
+    constexpr label nEach = pTraits<tensor>::nComponents;
+
+    return (closed_.stateSize() + N_ + 2 + nEach - 1)/nEach;
+}
+
 
 Foam::List<Foam::tensorField> Foam::cghs::solidsBlocks::state() const
 {
     constexpr label nEach = pTraits<tensor>::nComponents;
     const label nClosed = closed_.stateSize();
 
-    List<tensorField> fields(nStates, tensorField(nCells(), Zero));
-    scalarList numbers(nStates*nEach, Zero);
+    List<tensorField> fields(nStates(), tensorField(nCells(), Zero));
+    scalarList numbers(nStates()*nEach, Zero);
 
     for (label celli = 0; celli < nCells(); ++celli)
     {
         closed_.getState(celli, numbers);
-        SubList<scalar>(numbers, N, nClosed) =
-            SubList<scalar>(open_, N, celli*N);
-        numbers[nClosed + N] = last_[celli];
-        numbers[nClosed + N + 1] = differences_[celli];
+        SubList<scalar>(numbers, N_, nClosed) =
+            SubList<scalar>(open_, N_, celli*N_);
+        numbers[nClosed + N_] = last_[celli];
+        numbers[nClosed + N_ + 1] = differences_[celli];
 
         forAll(numbers, k)
         {
@@ -250,7 +287,7 @@ void Foam::cghs::solidsBlocks::setState
     constexpr label nEach = pTraits<tensor>::nComponents;
     const label nClosed = closed_.stateSize();
 
-    scalarList numbers(nStates*nEach);
+    scalarList numbers(nStates()*nEach);
 
     for (label celli = 0; celli < nCells(); ++celli)
     {
@@ -260,10 +297,10 @@ void Foam::cghs::solidsBlocks::setState
         }
 
         closed_.setState(celli, numbers);
-        SubList<scalar>(open_, N, celli*N) =
-            SubList<scalar>(numbers, N, nClosed);
-        last_[celli] = numbers[nClosed + N];
-        differences_[celli] = numbers[nClosed + N + 1];
+        SubList<scalar>(open_, N_, celli*N_) =
+            SubList<scalar>(numbers, N_, nClosed);
+        last_[celli] = numbers[nClosed + N_];
+        differences_[celli] = numbers[nClosed + N_ + 1];
     }
 
     closed_.setSamples(nBlocks);
