@@ -178,6 +178,42 @@ void Foam::cghs::incompressibleFluid::finishStep()
 }
 
 
+void Foam::cghs::incompressibleFluid::checkState
+(
+    const rhoThermo& thermo
+) const
+{
+    const dictionary& types = thermo.subDict("thermoType");
+    const word state(types.get<word>("equationOfState"));
+    bool constant = state == "rhoConst";
+
+    if (state == "icoPolynomial")
+    {
+        const scalarList coefficients
+        (
+            thermo.subDict("mixture").subDict("equationOfState")
+           .get<scalarList>("rhoCoeffs<8>")
+        );
+        constant = true;
+        for (label i = 1; i < coefficients.size(); ++i)
+        {
+            constant = constant && coefficients[i] == 0;
+        }
+    }
+
+    if (!constant)
+    {
+        FatalIOErrorInFunction(types)
+            << "Entry equationOfState is " << state << ", by which the density"
+            << " is none that stays, but a fluid " << typeName << " has one"
+            << nl
+            << "Valid choices: rhoConst; icoPolynomial with rhoCoeffs<8> of"
+            << " which all but the first are 0" << nl
+            << exit(FatalIOError);
+    }
+}
+
+
 void Foam::cghs::incompressibleFluid::checkThermo
 (
     const rhoThermo& thermo
@@ -215,7 +251,8 @@ void Foam::cghs::incompressibleFluid::checkThermo
         FatalIOErrorInFunction(thermo)
             << "The density is " << gAverage(rhos().primitiveField())
             << " but entry rho in " << transport_.name() << " is " << rho << nl
-            << "Choose the equationOfState rhoConst, and give it that rho" << nl
+            << "Choose the equationOfState rhoConst, and give it that rho, or"
+            << " icoPolynomial with that as the first of rhoCoeffs<8>" << nl
             << exit(FatalIOError);
     }
 }
@@ -234,6 +271,7 @@ Foam::fluidThermo& Foam::cghs::incompressibleFluid::thermo()
         );
         checkTemperature(mesh());
         thermo_ = rhoThermo::New(mesh());
+        checkState(thermo_());
         checkThermo(thermo_());
     }
 
