@@ -94,8 +94,8 @@ int main(int argc, char *argv[])
 
         const fluidFlow flow
         {
-            fluid->alpha(), fluid->rho(), massFlux, volumeFlux, nullptr, nullptr,
-            fv::options::New(mesh)
+            fluid->alpha(), fluid->rho(), massFlux, volumeFlux, nullptr,
+            nullptr, fv::options::New(mesh)
         };
         energy->solve(flow, terms);
         energy->report(Info);
