@@ -182,6 +182,7 @@ void Foam::cghs::cghsCloud::enterFluid()
         name(),
         g_,
         largestDiameter(),
+        transport_.plates(),
         twoWay ? scalarInRange(solution(), "minVoidage", 0.01, 1) : 0
     );
     exchanges_.append(momentum_);

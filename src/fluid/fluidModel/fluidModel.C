@@ -68,7 +68,8 @@ Foam::cghs::fluidModel::fluidModel
     yield_
     (
         mesh,
-        parcels.coupling() == cghsCloud::couplingType::twoWay
+        parcels.coupling() == cghsCloud::couplingType::twoWay,
+        parcels.plates()
     ),
     piso_(mesh),
     g_(g),

@@ -17,9 +17,15 @@ namespace cghs
 }
 
 
-Foam::cghs::solidsYield::solidsYield(const fvMesh& mesh, const bool twoWay)
+Foam::cghs::solidsYield::solidsYield
+(
+    const fvMesh& mesh,
+    const bool twoWay,
+    const labelUList& plates
+)
 :
-    mesh_(mesh)
+    mesh_(mesh),
+    plates_(plates)
 {
     if (twoWay)
     {
@@ -54,6 +60,10 @@ Foam::cghs::solidsYield::passing(const surfaceScalarField& field) const
         {
             patch = 0;
         }
+    }
+    for (const label patchi : plates_)
+    {
+        tfaces.ref().boundaryFieldRef()[patchi] = 0;
     }
 
     return tfaces;

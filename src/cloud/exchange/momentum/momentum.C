@@ -24,22 +24,23 @@ Foam::cghs::momentum::momentum
     const word& cloudName,
     const vector& g,
     const scalar parcelDiameter,
+    const labelUList& plates,
     const scalar minVoidage
 )
 :
     mesh_(mesh),
     cloudName_(cloudName),
-    mapping_(mappingModel::New(subModels, mesh, parcelDiameter)),
+    mapping_(mappingModel::New(subModels, mesh, parcelDiameter, plates)),
     suspension_(subModels, g, mesh.nCells(), mapping_->kernels()),
     nCrowdedCells_(0)
 {
     if (minVoidage > 0)
     {
-        limit_.reset(new solidsLimit(mesh, 1 - minVoidage));
+        limit_.reset(new solidsLimit(mesh, 1 - minVoidage, plates));
 
         if (mapping_->kernels())
         {
-            cellDrag_.reset(new cellDrag(mesh, mapping_()));
+            cellDrag_.reset(new cellDrag(mesh, mapping_(), plates));
         }
     }
 }

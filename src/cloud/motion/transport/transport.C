@@ -79,6 +79,17 @@ bool Foam::cghs::transport::isPlate
             << nl << exit(FatalIOError);
     }
 
+    const word& other = patch.neighbPatchName();
+
+    if (!dict.findEntry(other, keyType::LITERAL))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Patch " << patch.name() << " is told to hold parcels, but "
+            << other << ", which is its other side, is not" << nl
+            << "Both sides of a plate hold them: add the entry " << other << ' '
+            << actionNames[action::rebound] << nl << exit(FatalIOError);
+    }
+
     return true;
 }
 
@@ -189,6 +200,22 @@ Foam::List<Foam::labelPair> Foam::cghs::transport::wallPatches() const
     }
 
     return List<labelPair>(std::move(patches));
+}
+
+
+Foam::labelList Foam::cghs::transport::plates() const
+{
+    DynamicList<label> patches;
+
+    for (const polyPatch& pp : mesh_.boundaryMesh())
+    {
+        if (pp.coupled() && actions_[pp.index()] == action::rebound)
+        {
+            patches.append(pp.index());
+        }
+    }
+
+    return labelList(std::move(patches));
 }
 
 

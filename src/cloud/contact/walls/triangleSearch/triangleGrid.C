@@ -113,7 +113,17 @@ Foam::cghs::triangleGrid::triangleGrid
     const vector span(box.span() + vector::uniform(2*reach));
 
     // No finer than a parcel's reach, no more cells than memory is worth
-    width_ = max(reach, cbrt(span.x()*span.y()*span.z()/maxCells));
+    const auto widthFor = [&](const vector& s)
+    {
+        return max(reach, cbrt(s.x()*s.y()*s.z()/maxCells));
+    };
+
+    width_ = widthFor(span);
+    if (cmptProduct(vector::one + span/width_) > 2*maxCells)
+    {
+        // A plate alone: as flat as it is there is one cell across it
+        width_ = widthFor(max(span, vector::uniform(0.01*cmptMax(span))));
+    }
     for (direction d = 0; d < 3; ++d)
     {
         n_[d] = label(span[d]/width_) + 1;

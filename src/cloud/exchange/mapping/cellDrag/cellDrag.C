@@ -34,11 +34,12 @@ static scalar product(const volVectorField& a, const volVectorField& b)
 Foam::cghs::cellDrag::cellDrag
 (
     const fvMesh& mesh,
-    const mappingModel& mapping
+    const mappingModel& mapping,
+    const labelUList& plates
 )
 :
     mapping_(mapping),
-    shares_(mesh)
+    shares_(mesh, plates)
 {
     shares_.setLocalStep(shareOfLimit);
 

@@ -151,7 +151,7 @@ void Foam::cghs::cellKernels::endBefore
     {
         const label boundary = facei - mesh_.nInternalFaces();
 
-        if (boundary >= 0 && !rings_.coupled()[boundary])
+        if (boundary >= 0 && !rings_.passed()[boundary])
         {
             continue;
         }
@@ -393,10 +393,14 @@ void Foam::cghs::cellKernels::setFactors()
 
 // * * * * * * * * * * * * * * * * * Public  * * * * * * * * * * * * * * * * //
 
-Foam::cghs::cellKernels::cellKernels(const polyMesh& mesh)
+Foam::cghs::cellKernels::cellKernels
+(
+    const polyMesh& mesh,
+    const labelUList& plates
+)
 :
     mesh_(mesh),
-    rings_(mesh),
+    rings_(mesh, plates),
     kernels_(rings_.nImages()),
     near_(rings_.maxSize())
 {

@@ -17,14 +17,24 @@ namespace Foam
 namespace cghs
 {
 
-//- All patches that nothing passes on its way between cells
-static List<labelPair> surfacesOf(const polyMesh& mesh)
+//- All patches that nothing passes on its way between cells. Those between
+//  ranks are parts of others
+static List<labelPair> surfacesOf
+(
+    const polyMesh& mesh,
+    const UList<bool>& goesOn
+)
 {
     DynamicList<labelPair> patches;
 
     for (const polyPatch& pp : mesh.boundaryMesh())
     {
-        if (!pp.coupled() && !isA<emptyPolyPatch>(pp))
+        if
+        (
+            !goesOn[pp.index()]
+         && !isA<emptyPolyPatch>(pp)
+         && !isA<processorPolyPatch>(pp)
+        )
         {
             patches.append(labelPair(pp.index(), contact::parcelWall));
         }
@@ -123,6 +133,13 @@ void Foam::cghs::cellRings::transform
 }
 
 
+bool Foam::cghs::cellRings::passesRanks(const polyPatch& pp) const
+{
+    return
+        isA<processorPolyPatch>(pp) && pp.nPoints() > 0 && goesOn_[pp.index()];
+}
+
+
 bool Foam::cghs::cellRings::shareBetweenRanks(Map<sights>& byPoint) const
 {
     PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
@@ -130,7 +147,7 @@ bool Foam::cghs::cellRings::shareBetweenRanks(Map<sights>& byPoint) const
 
     for (const polyPatch& pp : patches)
     {
-        if (isA<processorPolyPatch>(pp) && pp.nPoints() > 0)
+        if (passesRanks(pp))
         {
             const processorPolyPatch& patch =
                 refCast<const processorPolyPatch>(pp);
@@ -150,7 +167,7 @@ bool Foam::cghs::cellRings::shareBetweenRanks(Map<sights>& byPoint) const
 
     for (const polyPatch& pp : patches)
     {
-        if (isA<processorPolyPatch>(pp) && pp.nPoints() > 0)
+        if (passesRanks(pp))
         {
             const processorPolyPatch& patch =
                 refCast<const processorPolyPatch>(pp);
@@ -184,7 +201,7 @@ bool Foam::cghs::cellRings::sharePeriodic(Map<sights>& byPoint) const
 
     for (const polyPatch& pp : mesh_.boundaryMesh())
     {
-        if (!isA<cyclicPolyPatch>(pp))
+        if (!isA<cyclicPolyPatch>(pp) || !goesOn_[pp.index()])
         {
             continue;
         }
@@ -234,7 +251,7 @@ Foam::cghs::cellRings::cellsOfPoints() const
 
     for (const polyPatch& pp : mesh_.boundaryMesh())
     {
-        if (!pp.coupled())
+        if (!goesOn_[pp.index()])
         {
             continue;
         }
@@ -383,7 +400,7 @@ void Foam::cghs::cellRings::makeWideRings
 
     for (const polyPatch& pp : mesh_.boundaryMesh())
     {
-        if (!pp.coupled())
+        if (!goesOn_[pp.index()])
         {
             continue;
         }
@@ -460,7 +477,7 @@ bool Foam::cghs::cellRings::leftThroughCoupled
         if
         (
             i >= 0
-         && coupled_[i]
+         && passed_[i]
          && ((x - mesh_.faceCentres()[facei]) & mesh_.faceAreas()[facei]) > 0
         )
         {
@@ -473,7 +490,11 @@ bool Foam::cghs::cellRings::leftThroughCoupled
 
 // * * * * * * * * * * * * * * * * * Public  * * * * * * * * * * * * * * * * //
 
-Foam::cghs::cellRings::cellRings(const polyMesh& mesh)
+Foam::cghs::cellRings::cellRings
+(
+    const polyMesh& mesh,
+    const labelUList& plates
+)
 :
     mesh_(mesh),
     numbers_(mesh.nCells()),
@@ -481,19 +502,25 @@ Foam::cghs::cellRings::cellRings(const polyMesh& mesh)
     centres_(mesh.cellCentres()),
     start_(mesh.nCells() + 1),
     wide_(mesh.nCells(), -1),
-    coupled_(mesh.nFaces() - mesh.nInternalFaces(), false)
+    goesOn_(mesh.boundaryMesh().size()),
+    passed_(mesh.nFaces() - mesh.nInternalFaces(), false)
 {
     for (const polyPatch& pp : mesh.boundaryMesh())
     {
-        if (pp.coupled())
-        {
-            SubList<bool>(coupled_, pp.size(), pp.offset()) = true;
-        }
+        const bool goesOn = pp.coupled() && !plates.found(pp.index());
+
+        goesOn_[pp.index()] = goesOn;
+        SubList<bool>(passed_, pp.size(), pp.offset()) = goesOn;
     }
 
     const Map<sights> cellsOf(cellsOfPoints());
 
-    wallSurfaces walls(mesh, surfacesOf(mesh), transport::periods(mesh));
+    wallSurfaces walls
+    (
+        mesh,
+        surfacesOf(mesh, goesOn_),
+        transport::periods(mesh)
+    );
     walls.findThin(tolerance_);
 
     makeRings(cellsOf, walls);

@@ -33,12 +33,13 @@ Foam::cghs::diffusion::diffusion
 (
     const dictionary& dict,
     const fvMesh& mesh,
-    const scalar parcelDiameter
+    const scalar parcelDiameter,
+    const labelUList& plates
 )
 :
     mesh_(mesh),
-    kernels_(parcelDiameter > 0 ? new cellKernels(mesh) : nullptr),
-    faces_(mesh),
+    kernels_(parcelDiameter > 0 ? new cellKernels(mesh, plates) : nullptr),
+    faces_(mesh, plates),
     nSteps_(0)
 {
     const scalar width = scalarInRange(dict, "width", 0, GREAT);

@@ -16,7 +16,11 @@ namespace cghs
 }
 
 
-Foam::cghs::faceDiffusion::faceDiffusion(const fvMesh& mesh)
+Foam::cghs::faceDiffusion::faceDiffusion
+(
+    const fvMesh& mesh,
+    const labelUList& plates
+)
 :
     mesh_(mesh),
     conductance_
@@ -58,6 +62,10 @@ Foam::cghs::faceDiffusion::faceDiffusion(const fvMesh& mesh)
         {
             patch = 0;
         }
+    }
+    for (const label patchi : plates)
+    {
+        conductance_.boundaryFieldRef()[patchi] = 0;
     }
 
     const tmp<volScalarField> toutflow(fvc::surfaceSum(conductance_));

@@ -20,7 +20,8 @@ Foam::autoPtr<Foam::cghs::mappingModel> Foam::cghs::mappingModel::New
 (
     const dictionary& subModels,
     const fvMesh& mesh,
-    const scalar parcelDiameter
+    const scalar parcelDiameter,
+    const labelUList& plates
 )
 {
     return selectModel<mappingModel>
@@ -28,6 +29,7 @@ Foam::autoPtr<Foam::cghs::mappingModel> Foam::cghs::mappingModel::New
         subModels,
         *dictionaryConstructorTablePtr_,
         mesh,
-        parcelDiameter
+        parcelDiameter,
+        plates
     );
 }

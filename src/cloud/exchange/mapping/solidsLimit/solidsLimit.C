@@ -26,10 +26,16 @@ namespace cghs
 }
 
 
-Foam::cghs::solidsLimit::solidsLimit(const fvMesh& mesh, const scalar limit)
+Foam::cghs::solidsLimit::solidsLimit
+(
+    const fvMesh& mesh,
+    const scalar limit,
+    const labelUList& plates
+)
 :
     mesh_(mesh),
-    limit_(limit)
+    limit_(limit),
+    plates_(plates)
 {}
 
 
@@ -85,7 +91,7 @@ Foam::label Foam::cghs::solidsLimit::bound(volScalarField& theta) const
 
     if (!faces_.valid())
     {
-        faces_.reset(new faceDiffusion(mesh_));
+        faces_.reset(new faceDiffusion(mesh_, plates_));
         faces_->setStep(GREAT);
     }
 
