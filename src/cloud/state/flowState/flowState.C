@@ -32,6 +32,31 @@ static IOobject flowsIO
     );
 }
 
+//- Stop at the flows of an earlier time: redistributePar without -overwrite makes
+//  a new time, one step later, and copies the folder uniform of time 0 there
+static void checkTime(const polyMesh& mesh, const IOdictionary& flows)
+{
+    const Time& now = mesh.time();
+    const scalar written = flows.getOrDefault<scalar>("time", now.value());
+
+    if (written >= now.value() - 1.5*now.deltaTValue())
+    {
+        return;
+    }
+
+    FatalIOErrorInFunction(flows)
+        << "The file is that of time " << written << ", but the run starts at "
+        << now.timeName() << nl
+        << "What has been fed and has left, and what contacts remember, would be"
+        << " those of that time" << nl
+        << "redistributePar without -overwrite leaves it so: copy "
+        << flows.name() << " from the time that was redistributed (processor0"
+        << " has it) to time " << now.timeName() << " of all ranks, or remove time "
+        << now.timeName() << " and run redistributePar -overwrite" << nl
+        << "If the file is meant as it is remove its entry time" << nl
+        << exit(FatalIOError);
+}
+
 } // End namespace cghs
 } // End namespace Foam
 
@@ -42,7 +67,13 @@ Foam::dictionary Foam::cghs::readFlows
     const word& cloudName
 )
 {
-    return IOdictionary(flowsIO(mesh, cloudName, IOobject::READ_IF_PRESENT));
+    const IOdictionary flows
+    (
+        flowsIO(mesh, cloudName, IOobject::READ_IF_PRESENT)
+    );
+    checkTime(mesh, flows);
+
+    return flows;
 }
 
 
@@ -53,11 +84,10 @@ void Foam::cghs::writeFlows
     const dictionary& flows
 )
 {
-    IOdictionary
-    (
-        flowsIO(mesh, cloudName, IOobject::NO_READ),
-        flows
-    ).regIOobject::writeObject
+    IOdictionary file(flowsIO(mesh, cloudName, IOobject::NO_READ), flows);
+
+    file.add("time", mesh.time().value());
+    file.regIOobject::writeObject
     (
         IOstream::ASCII,
         IOstream::currentVersion,
