@@ -32,8 +32,8 @@ static IOobject flowsIO
     );
 }
 
-//- Stop at the flows of an earlier time: redistributePar without -overwrite makes
-//  a new time, one step later, and copies the folder uniform of time 0 there
+//- Stop at the flows of an earlier time: redistributePar without -overwrite
+//  makes a new time, one step later, and copies the folder uniform of time 0
 static void checkTime(const polyMesh& mesh, const IOdictionary& flows)
 {
     const Time& now = mesh.time();
@@ -47,12 +47,13 @@ static void checkTime(const polyMesh& mesh, const IOdictionary& flows)
     FatalIOErrorInFunction(flows)
         << "The file is that of time " << written << ", but the run starts at "
         << now.timeName() << nl
-        << "What has been fed and has left, and what contacts remember, would be"
-        << " those of that time" << nl
+        << "What has been fed and has left, and what contacts remember, would"
+        << " be those of that time" << nl
         << "redistributePar without -overwrite leaves it so: copy "
         << flows.name() << " from the time that was redistributed (processor0"
-        << " has it) to time " << now.timeName() << " of all ranks, or remove time "
-        << now.timeName() << " and run redistributePar -overwrite" << nl
+        << " has it) to time " << now.timeName() << " of all ranks, or remove"
+        << " time " << now.timeName() << " and run redistributePar -overwrite"
+        << nl
         << "If the file is meant as it is remove its entry time" << nl
         << exit(FatalIOError);
 }
