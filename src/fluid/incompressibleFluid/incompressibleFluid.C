@@ -47,15 +47,15 @@ Foam::cghs::incompressibleFluid::incompressibleFluid
 :
     fluidModel(mesh, g, parcels, dimPressure/dimDensity),
     alphaPhi_("alphaPhi", alphaf_*phi_),
-    transport_(U_, phi_),
-    density_(densityOf(transport_)),
+    viscosity_(U_, phi_),
+    density_(densityOf(viscosity_)),
     rho_
     (
         IOobject("rho", mesh.time().timeName(), mesh),
         mesh,
         density_
     ),
-    mu_("mu", rho_*transport_.nu()),
+    mu_("mu", rho_*viscosity_.nu()),
     pRefCell_(0),
     pRefValue_(0)
 {
@@ -69,11 +69,11 @@ Foam::cghs::incompressibleFluid::incompressibleFluid
     }
 
     turbulence_ =
-        turbulenceModel::New(alpha_, U_, alphaPhi_, phi_, transport_);
+        turbulenceModel::New(alpha_, U_, alphaPhi_, phi_, viscosity_);
 
     standIn_.reset
     (
-        new standIn(turbulence_(), geometricOneField(), phi_, transport_)
+        new standIn(turbulence_(), geometricOneField(), phi_, viscosity_)
     );
 }
 
@@ -103,8 +103,8 @@ void Foam::cghs::incompressibleFluid::startAtRest
 Foam::tmp<Foam::fvVectorMatrix>
 Foam::cghs::incompressibleFluid::momentumEquation()
 {
-    transport_.correct();
-    mu_ = rho_*transport_.nu();
+    viscosity_.correct();
+    mu_ = rho_*viscosity_.nu();
 
     return
         fvm::ddt(alpha_, U_)
@@ -250,7 +250,7 @@ void Foam::cghs::incompressibleFluid::checkThermo
     {
         FatalIOErrorInFunction(thermo)
             << "The density is " << gAverage(rhos().primitiveField())
-            << " but entry rho in " << transport_.name() << " is " << rho << nl
+            << " but entry rho in " << viscosity_.name() << " is " << rho << nl
             << "Choose the equationOfState rhoConst, and give it that rho, or"
             << " icoPolynomial with that as the first of rhoCoeffs<8>" << nl
             << exit(FatalIOError);
@@ -265,7 +265,7 @@ Foam::fluidThermo& Foam::cghs::incompressibleFluid::thermo()
         checkThermophysics
         (
             mesh(),
-            transport_,
+            viscosity_,
             "rho is there, and energy is to be transported,",
             "see incompressibleFluid.H, or do not transport energy"
         );
