@@ -100,6 +100,15 @@ Foam::cghs::contactConduction::contactConduction(const dictionary& dict)
         wordList({"kappa", "YoungsModulus", "PoissonRatio", "wall"})
     );
 
+    if (dict.found("wall"))
+    {
+        warnUnknownEntries
+        (
+            dict.subDict("wall"),
+            wordList({"kappa", "YoungsModulus", "PoissonRatio"})
+        );
+    }
+
     if (wall_.size() > 1)
     {
         FatalIOErrorInFunction(dict)
