@@ -29,6 +29,7 @@ Foam::cghs::heat::heat(const dictionary& dict, const fvMesh& mesh)
     law_(heatTransferModel::New(dict)),
     T_("T"),
     conduction_(dict, Cp_, T_),
+    wallHeat_(mesh),
     radiation_
     (
         dict.found("radiation")
@@ -46,6 +47,7 @@ Foam::cghs::heat::heat(const dictionary& dict, const fvMesh& mesh)
     fromFluid_(balance_.open("fluid")),
     fed_(balance_.open("fed")),
     left_(balance_.open("left")),
+    fromFlux_(balance_.open("wallFlux")),
     walls_(),
     radiated_(radiation_.valid() ? balance_.open("radiation") : -1),
     mismatch_(0),
@@ -153,6 +155,7 @@ void Foam::cghs::heat::addColumns(arena& parcels)
 
 void Foam::cghs::heat::meet(const arena& parcels, carrierFluid& fluid)
 {
+    wallHeat_.meet(fluid);
     conduction_.meet(parcels, fluid);
 
     const scalarField& alpha = fluid.alpha();
@@ -194,12 +197,14 @@ void Foam::cghs::heat::findResponses
     const scalar deltaT
 )
 {
+    const UList<label>& places = parcels.places();
+
     for (label j = 0; j < n; ++j)
     {
-        const label celli = parcels.cells[from + j];
+        const label placei = places[from + j];
 
-        flows_[j] = fluid_[celli];
-        flows_[j].u = mag(U_[celli] - parcels.motions[from + j].v);
+        flows_[j] = fluid_[placei];
+        flows_[j].u = mag(U_[placei] - parcels.motions[from + j].v);
         flows_[j].d = parcels.diameters[from + j];
     }
 
@@ -224,6 +229,7 @@ void Foam::cghs::heat::findResponses
 void Foam::cghs::heat::evolve(arena& parcels, const scalar deltaT)
 {
     conduction_.evolve(deltaT);
+    conduction_.moveTo(wallHeat_);
     forAll(walls_, m)
     {
         balance_.add(walls_[m], conduction_.fromWalls(m));
@@ -236,6 +242,12 @@ void Foam::cghs::heat::evolve(arena& parcels, const scalar deltaT)
     }
 
     addProfiling(heat, "cghs::heat");
+
+    balance_.add(fromFlux_, wallHeat_.give(parcels, T_, Cp_, deltaT));
+
+    parcels.visiting.fetch(fluid_);
+    parcels.visiting.fetch(U_);
+    parcels.visiting.fetch(fluidT_);
 
     for (label from = 0; from < parcels.size(); from += blockSize_)
     {
@@ -263,14 +275,21 @@ void Foam::cghs::heat::leave(const arena& parcels, const scalar deltaT)
     deltaT_ = max(deltaT, VSMALL);
     response_ = Zero;
     given_ = Zero;
+    parcels.visiting.extend(response_);
+    parcels.visiting.extend(given_);
+
+    const UList<label>& places = parcels.places();
 
     for (label i = 0; i < parcels.size(); ++i)
     {
-        const label celli = parcels.cells[i];
+        const label placei = places[i];
 
-        response_[celli] += responses_[i];
-        given_[celli] += responses_[i]*(T_[i] - fluidT_[celli]);
+        response_[placei] += responses_[i];
+        given_[placei] += responses_[i]*(T_[i] - fluidT_[placei]);
     }
+
+    parcels.visiting.collect(response_);
+    parcels.visiting.collect(given_);
 }
 
 
@@ -303,7 +322,13 @@ Foam::cghs::heat::terms(const word& quantity) const
     {
         const dimensionSet powerDensity(dimPower/dimVolume);
 
-        terms.given = rate("given", given_, powerDensity);
+        scalarField given(given_);
+
+        if (wallHeat_.toFluid().size())
+        {
+            given += wallHeat_.toFluid();
+        }
+        terms.given = rate("given", given, powerDensity);
         terms.response =
             rate("response", response_, powerDensity/dimTemperature);
     }
@@ -321,16 +346,17 @@ void Foam::cghs::heat::complete
 {
     addProfiling(heat, "cghs::heat");
 
-    const tmp<volScalarField> tdT(fluid.change("T"));
-    const scalarField& dT = tdT().primitiveField();
+    scalarField dT(fluid.change("T")().primitiveField());
+    parcels.visiting.fetch(dT);
+    const UList<label>& places = parcels.places();
 
     // Of the parcels; of the cells; of the magnitudes
     scalarField sums(3, Zero);
 
     for (label i = 0; i < parcels.size(); ++i)
     {
-        const label celli = parcels.cells[i];
-        const scalar Q = responses_[i]*(fluidT_[celli] + dT[celli] - T_[i]);
+        const label placei = places[i];
+        const scalar Q = responses_[i]*(fluidT_[placei] + dT[placei] - T_[i]);
 
         T_[i] += Q/capacity(parcels, i);
         sums[0] += Q;
@@ -391,6 +417,7 @@ void Foam::cghs::heat::close(const arena& parcels, const scalar deltaT)
     balance_.add(left_, -carriedOut());
     clear();
     balance_.close(enthalpy, deltaT);
+    wallHeat_.close(deltaT);
     range_.mean = balance_.stored()/max(sumC, VSMALL);
 
     if (sumC > 0)
@@ -428,6 +455,10 @@ Foam::List<Foam::cghs::figure> Foam::cghs::heat::figures() const
     {
         list.append(figure{balance_.name(i), balance_.power(i)});
     }
+    for (label k = 0; k < wallHeat_.nPatches(); ++k)
+    {
+        list.append(figure{wallHeat_.name(k), wallHeat_.power(k)});
+    }
 
     return List<figure>(std::move(list));
 }
@@ -444,6 +475,7 @@ void Foam::cghs::heat::report(const arena& parcels, Ostream& os) const
         << " K, mean " << range_.mean << " K; they and the fluid differ by "
         << mismatch_ << " W out of " << exchanged_ << " W" << nl;
     balance_.report(os);
+    wallHeat_.report(os);
     conduction_.report(os);
 }
 
@@ -451,17 +483,23 @@ void Foam::cghs::heat::report(const arena& parcels, Ostream& os) const
 void Foam::cghs::heat::state(dictionary& state) const
 {
     balance_.state(state);
+    wallHeat_.state(state);
 
     // Parcels that are taken out before they are written count in the next step
     state.add("comingIn", returnReduce(carriedIn(), sumOp<scalar>()));
     state.add("goingOut", returnReduce(carriedOut(), sumOp<scalar>()));
     conduction_.state(state);
+    if (radiation_.valid())
+    {
+        radiation_->state(state);
+    }
 }
 
 
 void Foam::cghs::heat::setState(const dictionary& state)
 {
     balance_.setState(state);
+    wallHeat_.setState(state);
 
     if (Pstream::master())
     {
@@ -472,4 +510,8 @@ void Foam::cghs::heat::setState(const dictionary& state)
         );
     }
     conduction_.setState(state);
+    if (radiation_.valid())
+    {
+        radiation_->setState(state);
+    }
 }

@@ -180,7 +180,7 @@ inline void Foam::cghs::suspension::burden
 
     invMasses_[i] = m.invMass;
     addImpulse(parcels, i, (share/m.invMass)*m.v);
-    change_[parcels.cells[i]] -= m.v/m.invMass/(1 + halfSteps);
+    change_[parcels.places()[i]] -= m.v/m.invMass/(1 + halfSteps);
     m.invMass /= 1 + share;
 }
 
@@ -197,7 +197,7 @@ inline void Foam::cghs::suspension::unburden
 
     m.invMass = invMasses_[i];
     addImpulse(parcels, i, (-share/m.invMass)*m.v);
-    change_[parcels.cells[i]] += m.v/m.invMass/(1 + halfSteps);
+    change_[parcels.places()[i]] += m.v/m.invMass/(1 + halfSteps);
 }
 
 
@@ -211,6 +211,13 @@ bool Foam::cghs::suspension::kick(arena& parcels, const scalar halfDeltaT)
         invMasses_.resize(nOwn);
         change_.resize(nCells_);
         change_ = Zero;
+        parcels.visiting.extend(change_);
+    }
+
+    if (!kernels_)
+    {
+        parcels.visiting.fetch(fluid_);
+        parcels.visiting.extend(impulse_);
     }
 
     for (label from = 0; from < nOwn; from += blockSize_)
@@ -273,7 +280,7 @@ void Foam::cghs::suspension::settle
     const scalar fluidDeltaT
 )
 {
-    held_.clear();
+    heldShares_.clear();
 
     if (burdened_)
     {
@@ -292,13 +299,13 @@ void Foam::cghs::suspension::settle
         }
     }
 
-    if (last && !kernels_)
+    if (!kernels_)
     {
-        respondingCells_ = SubList<label>(parcels.cells, parcels.size());
+        parcels.visiting.collect(impulse_);
 
-        for (label i = 0; i < parcels.size(); ++i)
+        if (last)
         {
-            response_[parcels.cells[i]] += responseOf(parcels, i, fluidDeltaT);
+            sumResponses(parcels, fluidDeltaT);
         }
     }
 }
@@ -306,6 +313,8 @@ void Foam::cghs::suspension::settle
 
 void Foam::cghs::suspension::findHeld(const arena& parcels)
 {
+    const UList<label>& places = parcels.places();
+
     // Momentum as it would be without the contacts
     vectorField free(-change_);
 
@@ -313,18 +322,48 @@ void Foam::cghs::suspension::findHeld(const arena& parcels)
     {
         const motion& m = parcels.motions[i];
 
-        free[parcels.cells[i]] += m.v/m.invMass;
+        free[places[i]] += m.v/m.invMass;
     }
 
-    held_.resize(nCells_);
+    parcels.visiting.collect(free);
+    parcels.visiting.collect(change_);
 
-    forAll(held_, celli)
+    scalarField held(nCells_);
+
+    forAll(held, celli)
     {
         const scalar stopped = -(change_[celli] & free[celli]);
 
-        held_[celli] =
+        held[celli] =
             stopped > 0 ? min(stopped/magSqr(free[celli]), scalar(1)) : 0;
     }
+
+    parcels.visiting.fetch(held);
+    heldShares_.resize(parcels.size());
+
+    forAll(heldShares_, i)
+    {
+        heldShares_[i] = held[places[i]];
+    }
+}
+
+
+void Foam::cghs::suspension::sumResponses
+(
+    const arena& parcels,
+    const scalar fluidDeltaT
+)
+{
+    respondingPlaces_ = SubList<label>(parcels.places(), parcels.size());
+    respondingVisits_ = parcels.visiting;
+    parcels.visiting.extend(response_);
+
+    for (label i = 0; i < parcels.size(); ++i)
+    {
+        response_[respondingPlaces_[i]] += responseOf(parcels, i, fluidDeltaT);
+    }
+
+    parcels.visiting.collect(response_);
 }
 
 // * * * * * * * * * * * * * * *  What is left * * * * * * * * * * * * * * * //
@@ -356,18 +395,27 @@ void Foam::cghs::suspension::sumInCells
     const scalar fluidDeltaT
 )
 {
-    volume_ = Zero;
-    yieldToVelocity_ = Zero;
-    yieldToGradient_ = Zero;
+    const UList<label>& places = parcels.places();
+
+    for (scalarField* sum : {&volume_, &yieldToVelocity_, &yieldToGradient_})
+    {
+        *sum = Zero;
+        parcels.visiting.extend(*sum);
+    }
 
     for (label i = 0; i < parcels.size(); ++i)
     {
-        const label celli = parcels.cells[i];
+        const label placei = places[i];
         cghs::load own(loadOf(parcels, i, fluidDeltaT));
 
-        volume_[celli] += own.volume();
-        yieldToVelocity_[celli] += own.yieldToVelocity();
-        yieldToGradient_[celli] += own.yieldToGradient();
+        volume_[placei] += own.volume();
+        yieldToVelocity_[placei] += own.yieldToVelocity();
+        yieldToGradient_[placei] += own.yieldToGradient();
+    }
+
+    for (scalarField* sum : {&volume_, &yieldToVelocity_, &yieldToGradient_})
+    {
+        parcels.visiting.collect(*sum);
     }
 }
 
@@ -507,6 +555,10 @@ void Foam::cghs::suspension::complete
     {
         kernels_->rings().fetch(byCell);
     }
+    else
+    {
+        respondingVisits_.fetch(byCell);
+    }
 
     const labelList order(kernels_ ? cellByCell(parcels) : labelList());
 
@@ -521,7 +573,7 @@ void Foam::cghs::suspension::complete
                 i,
                 kernels_
               ? read(byCell, parcels, i)
-              : byCell[respondingCells_[i]],
+              : byCell[respondingPlaces_[i]],
                 fluidDeltaT
             );
     }

@@ -284,6 +284,46 @@ Foam::List<Foam::vector> Foam::cghs::transport::periods(const polyMesh& mesh)
 
 // * * * * * * * * * * * * * * * * The boundary  * * * * * * * * * * * * * * //
 
+namespace Foam
+{
+namespace cghs
+{
+
+//- Send each rank its list, empty it, and return what has come from each
+template<class Type>
+static List<List<Type>> post(List<DynamicList<Type>>& sent)
+{
+    PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
+    List<List<Type>> came(sent.size());
+
+    forAll(sent, rank)
+    {
+        if (sent[rank].size())
+        {
+            UOPstream os(rank, buffers);
+            os << List<Type>(sent[rank]);
+            sent[rank].clear();
+        }
+    }
+
+    labelList sizes;
+    buffers.finishedSends(sizes);
+
+    forAll(came, rank)
+    {
+        if (sizes[rank])
+        {
+            UIPstream is(rank, buffers);
+            is >> came[rank];
+        }
+    }
+    return came;
+}
+
+} // End namespace cghs
+} // End namespace Foam
+
+
 void Foam::cghs::transport::reflect
 (
     arena& parcels,
@@ -580,6 +620,7 @@ Foam::label Foam::cghs::transport::settleFrom
 void Foam::cghs::transport::settle(arena& parcels)
 {
     parcels.dismissGuests();
+    parcels.visiting.clear();
 
     // More ranks than this are not passed in a step that makes sense
     constexpr label patience = 20;
@@ -593,6 +634,128 @@ void Foam::cghs::transport::settle(arena& parcels)
         first = settleFrom(parcels, first, entries, anySent);
     }
 }
+
+
+bool Foam::cghs::transport::toOtherRank(const label facei) const
+{
+    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+    const polyPatch& pp = patches[patches.whichPatch(facei)];
+
+    return isA<processorPolyPatch>(pp) && !isA<processorCyclicPolyPatch>(pp);
+}
+
+
+void Foam::cghs::transport::sendOn
+(
+    visitor v,
+    const label facei,
+    List<DynamicList<visitor>>& sent
+) const
+{
+    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+    const label patchi = patches.whichPatch(facei);
+    const processorPolyPatch& pp =
+        refCast<const processorPolyPatch>(patches[patchi]);
+
+    v.patch = mesh_.globalData().processorPatchNeighbours()[patchi];
+    v.face = pp.whichFace(facei);
+    sent[pp.neighbProcNo()].append(v);
+}
+
+
+void Foam::cghs::transport::host
+(
+    const UList<visitor>& came,
+    List<DynamicList<visitor>>& sent,
+    List<DynamicList<label>>& cells,
+    List<DynamicList<label>>& guests
+)
+{
+    const labelList& procPatches = mesh_.globalData().processorPatches();
+
+    for (const visitor& v : came)
+    {
+        const polyPatch& pp = mesh_.boundaryMesh()[procPatches[v.patch]];
+
+        label celli = pp.faceCells()[v.face];
+        const label facei = locator_.follow(v.x, celli);
+
+        // Not back by the face that it came in by, see settleFrom
+        if
+        (
+            facei != -1
+         && facei != pp.start() + v.face
+         && toOtherRank(facei)
+        )
+        {
+            sendOn(v, facei, sent);
+        }
+        else
+        {
+            cells[v.rank].append(celli);
+            guests[v.rank].append(v.parcel);
+        }
+    }
+}
+
+
+void Foam::cghs::transport::findVisits
+(
+    arena& parcels,
+    const UList<labelPair>& beyond
+)
+{
+    // More ranks than this are not passed in a step that makes sense
+    constexpr label patience = 20;
+
+    const label nRanks = Pstream::nProcs();
+    List<DynamicList<visitor>> sent(nRanks);
+    List<DynamicList<label>> cells(nRanks);
+    List<DynamicList<label>> guests(nRanks);
+
+    for (const labelPair& p : beyond)
+    {
+        const label i = p.first();
+
+        sendOn
+        (
+            visitor{Pstream::myProcNo(), i, -1, -1, parcels.spheres[i].x},
+            p.second(),
+            sent
+        );
+    }
+
+    bool any = true;
+    for (label round = 0; any && round < patience; ++round)
+    {
+        const List<List<visitor>> came(post(sent));
+
+        any = false;
+        for (const List<visitor>& ofRank : came)
+        {
+            host(ofRank, sent, cells, guests);
+        }
+        for (const List<visitor>& toRank : sent)
+        {
+            any = any || toRank.size();
+        }
+        reduce(any, orOp<bool>());
+    }
+
+    labelListList hosted(nRanks);
+    forAll(hosted, rank)
+    {
+        hosted[rank] = std::move(cells[rank]);
+    }
+    parcels.visiting.set
+    (
+        parcels.cells,
+        mesh_.nCells(),
+        post(guests),
+        std::move(hosted)
+    );
+}
+
 
 bool Foam::cghs::transport::enters(const vector& x, label& celli)
 {
@@ -761,6 +924,7 @@ Foam::cghs::transport::report Foam::cghs::transport::move
     scalar maxDistanceSqr = 0;
     scalar maxRateSqr = 0;
     bool crossed = false;
+    DynamicList<labelPair> beyond;
 
     for (label i = 0; i < parcels.size(); ++i)
     {
@@ -797,6 +961,11 @@ Foam::cghs::transport::report Foam::cghs::transport::move
             else
             {
                 crossed = true;
+
+                if (toOtherRank(facei))
+                {
+                    beyond.append(labelPair(i, facei));
+                }
             }
         }
     }
@@ -808,6 +977,18 @@ Foam::cghs::transport::report Foam::cghs::transport::move
     r.maxDistance = sqrt(global.x());
     r.diameterTime = 1/max(sqrt(global.y()), VSMALL);
     r.crossed = global.z() > 0;
+
+    if (Pstream::parRun())
+    {
+        if (r.crossed)
+        {
+            findVisits(parcels, beyond);
+        }
+        else
+        {
+            parcels.visiting.clear();
+        }
+    }
     return r;
 }
 

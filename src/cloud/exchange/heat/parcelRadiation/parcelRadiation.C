@@ -69,9 +69,11 @@ void Foam::cghs::parcelRadiation::emit
     addProfiling(radiation, "cghs::radiation");
 
     const scalar sigma = constant::physicoChemical::sigma.value();
-    scalarField& a = absorption_.primitiveFieldRef();
-    scalarField& E = emission_.primitiveFieldRef();
-    scalarField& again = scatter_.primitiveFieldRef();
+    const UList<label>& places = parcels.places();
+    const scalarField& V = absorption_.mesh().V();
+    scalarField a(V.size(), Zero);
+    scalarField E(V.size(), Zero);
+    scalarField again(V.size(), Zero);
 
     scalar Tm = hottest_;
     for (label i = 0; i < parcels.size(); ++i)
@@ -80,9 +82,10 @@ void Foam::cghs::parcelRadiation::emit
     }
     reduce(Tm, maxOp<scalar>());
 
-    a = Zero;
-    E = Zero;
-    again = Zero;
+    for (scalarField* sum : {&a, &E, &again})
+    {
+        parcels.visiting.extend(*sum);
+    }
 
     for (label i = 0; i < parcels.size(); ++i)
     {
@@ -95,14 +98,19 @@ void Foam::cghs::parcelRadiation::emit
         areas_[i] = area*(x > SMALL ? -std::expm1(-x)/x : 1);
         emitted_[i] = 4*sigma*pow4(T[i]);
 
-        a[parcels.cells[i]] += areas_[i];
-        again[parcels.cells[i]] += area - areas_[i];
-        E[parcels.cells[i]] += areas_[i]*emitted_[i];
+        a[places[i]] += areas_[i];
+        again[places[i]] += area - areas_[i];
+        E[places[i]] += areas_[i]*emitted_[i];
     }
 
-    a /= absorption_.mesh().V();
-    E /= absorption_.mesh().V();
-    again /= absorption_.mesh().V();
+    for (scalarField* sum : {&a, &E, &again})
+    {
+        parcels.visiting.collect(*sum);
+    }
+
+    absorption_.primitiveFieldRef() = a/V;
+    emission_.primitiveFieldRef() = E/V;
+    scatter_.primitiveFieldRef() = again/V;
     absorption_.correctBoundaryConditions();
     emission_.correctBoundaryConditions();
     scatter_.correctBoundaryConditions();
@@ -121,12 +129,15 @@ Foam::scalar Foam::cghs::parcelRadiation::absorb
     addProfiling(radiation, "cghs::radiation");
 
     const scalar sigma = constant::physicoChemical::sigma.value();
+    scalarField byPlace(G.primitiveField());
+    parcels.visiting.fetch(byPlace);
+    const UList<label>& places = parcels.places();
     scalar received = 0;
 
     for (label i = 0; i < parcels.size(); ++i)
     {
         const scalar Q =
-            areas_[i]*(G[parcels.cells[i]] - emitted_[i])*deltaT;
+            areas_[i]*(byPlace[places[i]] - emitted_[i])*deltaT;
 
         T[i] += Q/(Cp*parcels.motions[i].mass());
         received += Q;

@@ -6,43 +6,12 @@
 #include "conduction.H"
 #include "facesOfRanks.H"
 #include "patchParts.H"
-#include "mixedFvPatchFields.H"
-#include "wallPolyPatch.H"
+#include "wallHeat.H"
 #include "volFields.H"
 #include "profiling.H"
 #include "PstreamReduceOps.H"
 
 #include <cmath>
-
-namespace Foam
-{
-namespace cghs
-{
-
-//- The temperatures of the first n faces of a patch, 0 where none is given [K]
-static scalarField givenTemperatures(const fvPatchScalarField& T, const label n)
-{
-    scalarField given(n, Zero);
-
-    if (!isA<wallPolyPatch>(T.patch().patch()))
-    {
-        return given;
-    }
-
-    const auto* mixed = isA<mixedFvPatchScalarField>(T);
-
-    forAll(T, facei)
-    {
-        if (mixed ? mixed->valueFraction()[facei] > 0 : T.fixesValue())
-        {
-            given[facei] = T[facei];
-        }
-    }
-    return given;
-}
-
-} // End namespace cghs
-} // End namespace Foam
 
 // * * * * * * * * * * * * * * * Construction  * * * * * * * * * * * * * * * //
 
@@ -126,21 +95,37 @@ void Foam::cghs::conduction::meet
     {
         const fvPatchScalarField& at = T.boundaryField()[wallPatches_[k]];
 
-        if (wallT_.empty() && isA<mixedFvPatchScalarField>(at))
-        {
-            // At the start of a run it does not know yet what it is: the
-            // fluid has not been solved for
-            const_cast<fvPatchScalarField&>(at).evaluate();
-        }
-
         byPatch[k] =
-            givenTemperatures(at, nFacesOf(T.mesh(), wallPatches_[k]));
+            wallHeat::givenTemperatures
+            (
+                at,
+                nFacesOf(T.mesh(), wallPatches_[k])
+            );
     }
     wallT_ = facesOfRanks(byPatch);
+
+    if (patchOfFace_.size() != wallT_.size())
+    {
+        List<Field<label>> patches(wallPatches_.size());
+        forAll(patches, k)
+        {
+            patches[k] = Field<label>(byPatch[k].size(), k);
+        }
+        patchOfFace_ = facesOfRanks(patches);
+    }
 
     for (conductionModel& model : models_)
     {
         model.meet(parcels, fluid);
+    }
+}
+
+
+void Foam::cghs::conduction::prepare(const arena& parcels)
+{
+    for (conductionModel& model : models_)
+    {
+        model.prepare(parcels);
     }
 }
 
@@ -240,6 +225,11 @@ void Foam::cghs::conduction::pass
             received_[c.b] -= Q;
         }
 
+        if (wall)
+        {
+            fromPatches_[patchOfFace_[list.wallFaces[k]]] += Q;
+        }
+
         forAll(models, m)
         {
             heatPassed& passed = now_[models[m]];
@@ -262,6 +252,16 @@ void Foam::cghs::conduction::finish(const arena& parcels)
 
     passing_.clear();
     next_ = 0;
+}
+
+
+void Foam::cghs::conduction::moveTo(wallHeat& walls)
+{
+    forAll(wallPatches_, k)
+    {
+        walls.add(wallPatches_[k], fromPatches_[k]);
+        fromPatches_[k] = 0;
+    }
 }
 
 

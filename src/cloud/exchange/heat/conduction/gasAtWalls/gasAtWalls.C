@@ -70,6 +70,6 @@ Foam::scalar Foam::cghs::gasAtWalls::passes
             parcels.spheres[c.a].r,
             layer_,
             k*leastGap_,
-            kappa_[parcels.cells[c.a]]
+            kappa_[parcels.places()[c.a]]
         );
 }

@@ -56,11 +56,13 @@ void Foam::cghs::gasBetween::meet
     const carrierFluid& fluid
 )
 {
-    const scalarField& kappa = fluid.field("kappa").primitiveField();
+    scalarField kappa(fluid.field("kappa").primitiveField());
+    parcels.visiting.fetch(kappa);
+    const UList<label>& places = parcels.places();
 
     for (label i = 0; i < parcels.size(); ++i)
     {
-        kappa_[i] = kappa[parcels.cells[i]];
+        kappa_[i] = kappa[places[i]];
         k_[i] = std::cbrt(parcels.weights[i]);
     }
 }
