@@ -144,6 +144,7 @@ void Foam::cghs::exchangeList::lendNeighbours
         }
         if (!found)
         {
+            contacts.refreshSizes(parcels);
             contacts.findNeighbours(parcels);
             found = true;
         }

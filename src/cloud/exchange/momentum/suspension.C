@@ -483,28 +483,36 @@ Foam::scalarField Foam::cghs::suspension::dissipation
     const arena& parcels
 ) const
 {
-    const auto power = [&](const label i)
+    const auto power = [&](const label i, const carrier& c)
     {
         const motion& m = parcels.motions[i];
 
-        return
-            rates_[i]/m.invMass*magSqr(carrierOf(parcels, i).u() - m.v);
+        return rates_[i]/m.invMass*magSqr(c.u() - m.v);
     };
 
     scalarField sums(kernels_ ? kernels_->rings().nSlots() : nCells_, Zero);
 
     if (!kernels_)
     {
+        // Parcels have moved since they met the fluid
+        List<carrier> fluid(fluid_);
+        parcels.visiting.fetch(fluid);
+        parcels.visiting.extend(sums);
+
+        const UList<label>& places = parcels.places();
+
         for (label i = 0; i < parcels.size(); ++i)
         {
-            sums[parcels.cells[i]] += power(i);
+            sums[places[i]] += power(i, fluid[places[i]]);
         }
+        parcels.visiting.collect(sums);
+
         return sums;
     }
 
     for (const label i : cellByCell(parcels))
     {
-        const scalar own = power(i);
+        const scalar own = power(i, met_[i]);
 
         kernels_->visit
         (
