@@ -140,7 +140,7 @@ Foam::cghs::cghsCloud::cghsCloud
         enterFluid();
     }
 
-    state_ = transport_.survey(parcels_);
+    survey_ = transport_.survey(parcels_);
     contacts_.expect(largestSpeed());
     setFlows(flows);
 }
@@ -205,7 +205,7 @@ Foam::scalar Foam::cghs::cghsCloud::solidsDeltaT() const
     // Parcels that do not touch may go further than their diameter
     return
         contacts_.needed()
-      ? min(maxDeltaT_, maxDisplacement_*state_.diameterTime)
+      ? min(maxDeltaT_, maxDisplacement_*survey_.diameterTime)
       : maxDeltaT_;
 }
 
@@ -236,7 +236,7 @@ void Foam::cghs::cghsCloud::settle()
         contacts_.rebuild(parcels_);
     }
 
-    state_.crossed = false;
+    survey_.crossed = false;
 }
 
 
@@ -277,7 +277,7 @@ void Foam::cghs::cghsCloud::feed(const scalar deltaT)
         feeding_.append(arrivals, parcels_);
         settle();
 
-        state_ = transport_.survey(parcels_);
+        survey_ = transport_.survey(parcels_);
         contacts_.expect(largestSpeed());
     }
 }
@@ -290,7 +290,7 @@ void Foam::cghs::cghsCloud::solidsStep
     const scalar fluidDeltaT
 )
 {
-    if (contacts_.needed() ? contacts_.stale() : state_.crossed)
+    if (contacts_.needed() ? contacts_.stale() : survey_.crossed)
     {
         startAfresh();
     }
@@ -338,8 +338,8 @@ void Foam::cghs::cghsCloud::solidsStep
         exchanges_.lendNeighbours(contacts_, parcels_, fluidDeltaT);
     }
 
-    state_ = transport_.move(parcels_, deltaT);
-    contacts_.moved(state_.maxDistance, deltaT);
+    survey_ = transport_.move(parcels_, deltaT);
+    contacts_.moved(survey_.maxDistance, deltaT);
 }
 
 
@@ -355,7 +355,7 @@ void Foam::cghs::cghsCloud::checkSteps
             << "The parcels' speed asks for " << n << " solids steps in "
             << remaining << " s" << nl
             << "The fastest moves by its diameter in "
-            << state_.diameterTime << " s: the run has gone out of hand."
+            << survey_.diameterTime << " s: the run has gone out of hand."
             << " Lower maxCo or maxDeltaT" << nl
             << exit(FatalError);
     }
@@ -399,7 +399,7 @@ void Foam::cghs::cghsCloud::evolve(const scalar deltaT)
 
     exchanges_.evolve(parcels_, deltaT);
 
-    if (loads())
+    if (isFelt())
     {
         exchanges_.leave(parcels_, deltaT);
         log_.nCrowdedCells = momentum_->nCrowdedCells();
@@ -498,7 +498,7 @@ Foam::dictionary Foam::cghs::cghsCloud::flows() const
     flows.add("nParcels", returnReduce(parcels_.size(), sumOp<label>()));
     flows.add("massEscaped", byPatch);
     feeding_.state(flows);
-    flows.add("diameterTime", state_.diameterTime);
+    flows.add("diameterTime", survey_.diameterTime);
     flows.add("contacts", contacts_.state());
 
     const dictionary states(exchanges_.state());
@@ -530,7 +530,7 @@ void Foam::cghs::cghsCloud::setFlows(const dictionary& flows)
 
     transport_.setMassEscaped(escaped);
     feeding_.setState(flows);
-    flows.readIfPresent("diameterTime", state_.diameterTime);
+    flows.readIfPresent("diameterTime", survey_.diameterTime);
     contacts_.setState(flows.subOrEmptyDict("contacts"));
 
     exchanges_.setState(flows.subOrEmptyDict("exchanges"));

@@ -485,7 +485,7 @@ void Foam::cghs::fluidModel::solveAlone()
 
 void Foam::cghs::fluidModel::solve(cghsCloud& parcels)
 {
-    if (parcels.loads())
+    if (parcels.isFelt())
     {
         momentum& solids = parcels.momentumExchange();
 
@@ -530,7 +530,7 @@ Foam::cghs::fluidModel::dissipation(const cghsCloud& parcels) const
 {
     tmp<volScalarField> power(viscousStress() && fvc::grad(U_));
 
-    if (parcels.loads())
+    if (parcels.isFelt())
     {
         power.ref() +=
             parcels.momentumExchange().dissipation(parcels.parcels());

@@ -165,7 +165,7 @@ inline void Foam::cghs::contactStage::appendIfMeeting
     const contact& c,
     const arena& parcels,
     const scalar deltaT,
-    contactLog& log
+    contactLists& log
 )
 {
     log.append
@@ -199,7 +199,7 @@ void Foam::cghs::contactStage::appendPair
     const label bodyOfJ,
     const label slot,
     const scalar deltaT,
-    contactLog& log
+    contactLists& log
 )
 {
     const sphere& a = parcels.spheres[i];
@@ -268,7 +268,7 @@ void Foam::cghs::contactStage::noteApproaches(const arena& parcels)
 
     forLogs
     (
-        [&](contactLog& log)
+        [&](contactLists& log)
         {
             contactList& list = log.now;
             list.approaches.clear();
@@ -374,7 +374,7 @@ void Foam::cghs::contactStage::findNeighbours(const arena& parcels)
 
     const UList<sphere>& spheres = parcels.spheres;
 
-    forLogs([](contactLog& log) { log.near.clear(); });
+    forLogs([](contactLists& log) { log.near.clear(); });
 
     walls_.touch
     (
@@ -390,7 +390,7 @@ void Foam::cghs::contactStage::findNeighbours(const arena& parcels)
         }
     );
 
-    const auto look = [&](const label i, const label j, contactLog& log)
+    const auto look = [&](const label i, const label j, contactLists& log)
     {
         const vector d(spheres[j].x - spheres[i].x);
         const scalar radii = spheres[i].r + spheres[j].r;

@@ -289,7 +289,7 @@ void Foam::cghs::memoryTransfer::adoptGuests
     const arena& parcels,
     const pairSearch& search,
     rankContacts& ranks,
-    contactLog& own
+    contactLists& own
 ) const
 {
     label slot = parcels.size() + search.nOwnPairs();
@@ -335,7 +335,7 @@ void Foam::cghs::memoryTransfer::end
     const label formerWall,
     const label wallBody,
     rankContacts& ranks,
-    contactLog& own
+    contactLists& own
 )
 {
     contactList kept;

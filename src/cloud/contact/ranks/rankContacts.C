@@ -259,11 +259,11 @@ Foam::label Foam::cghs::rankContacts::idOf
 }
 
 
-Foam::cghs::contactLog& Foam::cghs::rankContacts::logFor
+Foam::cghs::contactLists& Foam::cghs::rankContacts::logFor
 (
     const label guest,
     const label nOwn,
-    contactLog& own
+    contactLists& own
 )
 {
     const label body = bodyOf(guest);

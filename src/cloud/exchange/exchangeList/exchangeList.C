@@ -107,7 +107,7 @@ void Foam::cghs::exchangeList::lendContacts
             (
                 rounds[k].shown,
                 rounds[k].collected,
-                &contactLog::now,
+                &contactLists::now,
                 [&](const contactList& list)
                 {
                     k == 0
@@ -155,7 +155,7 @@ void Foam::cghs::exchangeList::lendNeighbours
             (
                 rounds[k].shown,
                 rounds[k].collected,
-                &contactLog::near,
+                &contactLists::near,
                 [&](const contactList& list)
                 {
                     k == 0

@@ -151,7 +151,7 @@ void Foam::cghs::momentum::leave(const arena& parcels, const scalar deltaT)
 {
     addProfiling(mapping, "cghs::mapping");
 
-    suspension_.load(parcels, deltaT);
+    suspension_.leave(parcels, deltaT);
 
     theta_ = spreadDensity("theta", suspension_.volume(), dimless);
     nCrowdedCells_ = limit_->bound(theta_.ref());

@@ -368,7 +368,7 @@ void Foam::cghs::suspension::sumResponses
 
 // * * * * * * * * * * * * * * *  What is left * * * * * * * * * * * * * * * //
 
-inline Foam::cghs::load Foam::cghs::suspension::loadOf
+inline Foam::cghs::deposit Foam::cghs::suspension::depositOf
 (
     const arena& parcels,
     const label i,
@@ -379,7 +379,7 @@ inline Foam::cghs::load Foam::cghs::suspension::loadOf
     const scalar volumeByMass = V*parcels.motions[i].invMass;
     const scalar k = yielding(i, fluidDeltaT);
 
-    cghs::load l;
+    cghs::deposit l;
     l.volume() = V;
     l.response() = responseOf(parcels, i, fluidDeltaT);
     l.yieldToVelocity() = k*V;
@@ -406,7 +406,7 @@ void Foam::cghs::suspension::sumInCells
     for (label i = 0; i < parcels.size(); ++i)
     {
         const label placei = places[i];
-        cghs::load own(loadOf(parcels, i, fluidDeltaT));
+        cghs::deposit own(depositOf(parcels, i, fluidDeltaT));
 
         volume_[placei] += own.volume();
         yieldToVelocity_[placei] += own.yieldToVelocity();
@@ -420,17 +420,17 @@ void Foam::cghs::suspension::sumInCells
 }
 
 
-void Foam::cghs::suspension::spreadLoads
+void Foam::cghs::suspension::spreadDeposits
 (
     const arena& parcels,
     const scalar fluidDeltaT
 )
 {
-    List<cghs::load> sums(kernels_->rings().nSlots());
+    List<cghs::deposit> sums(kernels_->rings().nSlots());
 
     for (const label i : cellByCell(parcels))
     {
-        cghs::load own(loadOf(parcels, i, fluidDeltaT));
+        cghs::deposit own(depositOf(parcels, i, fluidDeltaT));
         own.setVector(1, taken_[i]);
         own.drag() = rates_[i]/parcels.motions[i].invMass;
 
@@ -445,11 +445,11 @@ void Foam::cghs::suspension::spreadLoads
         );
     }
 
-    kernels_->rings().collect(sums, plusEqRow(), cghs::load());
+    kernels_->rings().collect(sums, plusEqRow(), cghs::deposit());
 
     for (label celli = 0; celli < nCells_; ++celli)
     {
-        cghs::load& sum = sums[celli];
+        cghs::deposit& sum = sums[celli];
 
         volume_[celli] = sum.volume();
         impulse_[celli] = sum.impulse();
@@ -461,7 +461,7 @@ void Foam::cghs::suspension::spreadLoads
 }
 
 
-void Foam::cghs::suspension::load
+void Foam::cghs::suspension::leave
 (
     const arena& parcels,
     const scalar fluidDeltaT
@@ -469,7 +469,7 @@ void Foam::cghs::suspension::load
 {
     if (kernels_)
     {
-        spreadLoads(parcels, fluidDeltaT);
+        spreadDeposits(parcels, fluidDeltaT);
     }
     else
     {

@@ -133,7 +133,7 @@ void Foam::cghs::transportedQuantities::solve
         quantity.solve
         (
             flow,
-            parcels.loads()
+            parcels.isFelt()
           ? parcels.terms(quantity.type())
           : exchangeTerms()
         );
