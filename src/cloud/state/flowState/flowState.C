@@ -87,7 +87,8 @@ void Foam::cghs::writeFlows
 {
     IOdictionary file(flowsIO(mesh, cloudName, IOobject::NO_READ), flows);
 
-    file.add("time", mesh.time().value());
+    // By its name: the value of a run that goes on may differ in the last digit
+    file.add("time", mesh.time().timeName());
     file.regIOobject::writeObject
     (
         IOstream::ASCII,
