@@ -1012,4 +1012,8 @@ Foam::cghs::transport::transport(const polyMesh& mesh, const dictionary& dict)
     departures_()
 {
     readActions(dict);
+
+    // Made when it is first asked for, by all ranks together: later one of them
+    // may ask alone
+    mesh_.globalData();
 }
