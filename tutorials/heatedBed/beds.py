@@ -129,9 +129,11 @@ class Bed(MethodBed):
 
     def mechanisms(self):
         """The names of all ways by which parcels receive heat: convection is
-        called fluid. Those that only restore or remove parcels too."""
+        called fluid. Those that only restore or remove parcels too. Not what
+        each wall gives: that is in the ways by which it does."""
         return [name for name in self.history
-                if f"{name}Mean" in self.history and name not in NO_MECHANISM]
+                if f"{name}Mean" in self.history and name not in NO_MECHANISM
+                and not name.startswith("wall:")]
 
     def used_mechanisms(self):
         return [name for name in self.mechanisms()
