@@ -204,15 +204,7 @@ inline void Foam::cghs::suspension::unburden
 bool Foam::cghs::suspension::kick(arena& parcels, const scalar halfDeltaT)
 {
     const label nOwn = parcels.size();
-    scalar largest = 0;
-
-    if (holds_)
-    {
-        invMasses_.resize(nOwn);
-        change_.resize(nCells_);
-        change_ = Zero;
-        parcels.visiting.extend(change_);
-    }
+    scalar fastest = 0;
 
     if (!kernels_)
     {
@@ -229,20 +221,42 @@ bool Foam::cghs::suspension::kick(arena& parcels, const scalar halfDeltaT)
         for (label i = from; i < from + n; ++i)
         {
             accelerate(parcels, i, halfDeltaT);
-
-            const scalar s = halfDeltaT*rates_[i];
-            largest = max(largest, s);
-
-            if (holds(s))
-            {
-                burden(parcels, i, s, earlyShare(s));
-            }
+            fastest = max(fastest, rates_[i]);
         }
     }
 
-    burdened_ = holds_ && returnReduce(largest, maxOp<scalar>()) > slack_;
+    burdened_ =
+        holds_ && halfDeltaT*returnReduce(fastest, maxOp<scalar>()) > slack_;
+
+    if (burdened_)
+    {
+        takeBurdens(parcels, halfDeltaT);
+    }
 
     return burdened_;
+}
+
+
+void Foam::cghs::suspension::takeBurdens
+(
+    arena& parcels,
+    const scalar halfDeltaT
+)
+{
+    invMasses_.resize(parcels.size());
+    change_.resize(nCells_);
+    change_ = Zero;
+    parcels.visiting.extend(change_);
+
+    for (label i = 0; i < parcels.size(); ++i)
+    {
+        const scalar s = halfDeltaT*rates_[i];
+
+        if (holds(s))
+        {
+            burden(parcels, i, s, earlyShare(s));
+        }
+    }
 }
 
 
