@@ -96,15 +96,11 @@ void Foam::cghs::exchangeList::lendContacts
     {
         const UList<exchange::lookRound>& rounds = e.contactRounds();
 
-        if (rounds.size())
-        {
-            contacts.refreshSizes(parcels);
-        }
-
         forAll(rounds, k)
         {
             contacts.lend
             (
+                parcels,
                 rounds[k].shown,
                 rounds[k].collected,
                 &contactLists::now,
@@ -144,7 +140,6 @@ void Foam::cghs::exchangeList::lendNeighbours
         }
         if (!found)
         {
-            contacts.refreshSizes(parcels);
             contacts.findNeighbours(parcels);
             found = true;
         }
@@ -153,6 +148,7 @@ void Foam::cghs::exchangeList::lendNeighbours
         {
             contacts.lend
             (
+                parcels,
                 rounds[k].shown,
                 rounds[k].collected,
                 &contactLists::near,
