@@ -622,14 +622,11 @@ void Foam::cghs::transport::settle(arena& parcels)
     parcels.dismissGuests();
     parcels.visiting.clear();
 
-    // More ranks than this are not passed in a step that makes sense
-    constexpr label patience = 20;
-
     label first = 0;
     bool anySent = true;
     DynamicList<label> entries;
 
-    for (label round = 0; anySent && round < patience; ++round)
+    for (label round = 0; anySent && round < patience_; ++round)
     {
         first = settleFrom(parcels, first, entries, anySent);
     }
@@ -705,9 +702,6 @@ void Foam::cghs::transport::findVisits
     const UList<labelPair>& beyond
 )
 {
-    // More ranks than this are not passed in a step that makes sense
-    constexpr label patience = 20;
-
     const label nRanks = Pstream::nProcs();
     List<DynamicList<visitor>> sent(nRanks);
     List<DynamicList<label>> cells(nRanks);
@@ -726,7 +720,7 @@ void Foam::cghs::transport::findVisits
     }
 
     bool any = true;
-    for (label round = 0; any && round < patience; ++round)
+    for (label round = 0; any && round < patience_; ++round)
     {
         const List<List<visitor>> came(post(sent));
 
