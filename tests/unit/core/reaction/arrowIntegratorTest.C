@@ -56,6 +56,8 @@ class robertson
     const scalarField G0_;
     const tolerances tolerated_;
 
+    const scalar* z_;
+
 
 public:
 
@@ -70,7 +72,8 @@ public:
                  0,  1,  0
             })
         ),
-        tolerated_(tolerated)
+        tolerated_(tolerated),
+        z_(nullptr)
     {}
 
     virtual label nBodies() const { return 0; }
@@ -82,33 +85,31 @@ public:
     virtual const UList<scalar>& gives() const { return G0_; }
     virtual const UList<scalar>& ownGives() const { return G0_; }
 
-    virtual void rates
-    (
-        const label, const scalar*, const scalar*, scalar*
-    )
-    {}
+    virtual void share(const scalar* now) { z_ = now; }
+
+    virtual void rates(const label, const scalar*, scalar*) {}
 
     virtual void derivatives
     (
-        const label, const scalar*, const scalar*, scalar*, scalar*, scalar*
+        const label, const scalar*, scalar*, scalar*, scalar*
     )
     {}
 
-    virtual void ownRates(const scalar* z, scalar* f)
+    virtual void ownRates(scalar* f)
     {
-        f[0] = 0.04*z[0];
-        f[1] = 3e7*sqr(z[1]);
-        f[2] = 1e4*z[1]*z[2];
+        f[0] = 0.04*z_[0];
+        f[1] = 3e7*sqr(z_[1]);
+        f[2] = 1e4*z_[1]*z_[2];
     }
 
-    virtual void ownDerivatives(const scalar* z, scalar* f, scalar* fz)
+    virtual void ownDerivatives(scalar* f, scalar* fz)
     {
-        ownRates(z, f);
+        ownRates(f);
         std::fill(fz, fz + 9, 0);
         fz[0] = 0.04;
-        fz[4] = 6e7*z[1];
-        fz[7] = 1e4*z[2];
-        fz[8] = 1e4*z[1];
+        fz[4] = 6e7*z_[1];
+        fz[7] = 1e4*z_[2];
+        fz[8] = 1e4*z_[1];
     }
 
     virtual scalar error
@@ -148,6 +149,8 @@ class manyBodies
     const scalarField G0_;
     const tolerances tolerated_;
 
+    const scalar* z_;
+
 
 public:
 
@@ -162,6 +165,7 @@ public:
         G_(List<scalar>({-1, 0, 1, 0})),
         G0_(List<scalar>({1, -1})),
         tolerated_(tolerated),
+        z_(nullptr),
         k(n),
         r(n),
         a(n),
@@ -186,24 +190,22 @@ public:
         return c[i] + x[0] - x[1];
     }
 
-    virtual void rates
-    (
-        const label i, const scalar* x, const scalar* z, scalar* f
-    )
+    virtual void share(const scalar* now) { z_ = now; }
+
+    virtual void rates(const label i, const scalar* x, scalar* f)
     {
-        f[0] = k[i]*A(i, x)*z[0];
+        f[0] = k[i]*A(i, x)*z_[0];
         f[1] = r[i]*C(i, x);
     }
 
     virtual void derivatives
     (
-        const label i, const scalar* x, const scalar* z,
-        scalar* f, scalar* fx, scalar* fz
+        const label i, const scalar* x, scalar* f, scalar* fx, scalar* fz
     )
     {
-        rates(i, x, z, f);
-        fx[0] = -k[i]*z[0];
-        fx[1] = k[i]*z[0];
+        rates(i, x, f);
+        fx[0] = -k[i]*z_[0];
+        fx[1] = k[i]*z_[0];
         fx[2] = r[i];
         fx[3] = -r[i];
         fz[0] = k[i]*A(i, x);
@@ -212,14 +214,14 @@ public:
         fz[3] = 0;
     }
 
-    virtual void ownRates(const scalar* z, scalar* f)
+    virtual void ownRates(scalar* f)
     {
-        f[0] = q*z[1];
+        f[0] = q*z_[1];
     }
 
-    virtual void ownDerivatives(const scalar* z, scalar* f, scalar* fz)
+    virtual void ownDerivatives(scalar* f, scalar* fz)
     {
-        ownRates(z, f);
+        ownRates(f);
         fz[0] = 0;
         fz[1] = q;
     }

@@ -1,0 +1,861 @@
+/*---------------------------------------------------------------------------*\
+    cghsFoam | coarse-grained hard spheres in OpenFOAM
+    GPL-3.0-or-later, see LICENSE
+\*---------------------------------------------------------------------------*/
+
+#include "reactingCell.H"
+#include "drivingUnit.H"
+#include "mathematicalConstants.H"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Foam
+{
+namespace cghs
+{
+
+// Temperatures that a state may have [K]
+static const scalar coldest = 1;
+static const scalar hottest = 2e4;
+
+// What amounts may be below zero by rounding, over all of them
+static const scalar rounding = 1e-13;
+
+
+//- What n substances of a list gain by reactions, in a matrix with a row for
+//  each of them
+static void setGains
+(
+    scalarField& matrix,
+    const PtrList<reaction>& reactions,
+    const label nColumns
+)
+{
+    forAll(reactions, r)
+    {
+        const scalarField& gain = reactions[r].equation().fluidGain();
+        forAll(gain, k)
+        {
+            matrix[k*nColumns + r] = gain[k];
+        }
+    }
+}
+
+} // End namespace cghs
+} // End namespace Foam
+
+// * * * * * * * * * * * * * * * Construction  * * * * * * * * * * * * * * * //
+
+Foam::cghs::reactingCell::reactingCell
+(
+    const reactionScheme& scheme,
+    const tolerances& tolerated
+)
+:
+    scheme_(scheme),
+    tolerances_(tolerated),
+    nFluid_(scheme.fluid().size()),
+    nSolids_(scheme.solids().size()),
+    nReactions_(scheme.inParticles().size()),
+    nEnergies_(scheme.energetic() ? 1 : 0),
+    integrator_(arrowIntegrator::New(nReactions_ + nEnergies_)),
+    G_((nFluid_ + nEnergies_)*(nReactions_ + nEnergies_), 0),
+    G0_((nFluid_ + nEnergies_)*scheme.inFluid().size(), 0),
+    z_(nFluid_ + nEnergies_, 0),
+    p_(0),
+    volume_(0),
+    fluidT_(0),
+    total_(0),
+    concentration_(nFluid_, 0),
+    fluidH_(nFluid_, 0),
+    fluidCp_(nFluid_, 0),
+    dTdz_(nFluid_ + nEnergies_, 0),
+    dcdz_(nFluid_*(nFluid_ + nEnergies_), 0),
+    massGain_(nReactions_, 0),
+    volumeGain_(nReactions_, 0),
+    n_(nSolids_, 0),
+    h_(nSolids_, 0),
+    dTdx_(nReactions_ + nEnergies_, 0)
+{
+    setGains(G_, scheme.inParticles(), nReactions_ + nEnergies_);
+    setGains(G0_, scheme.inFluid(), scheme.inFluid().size());
+
+    for (label r = 0; r < nReactions_; ++r)
+    {
+        const scalarField& gain =
+            scheme.inParticles()[r].equation().solidGain();
+
+        massGain_[r] = massOf(gain);
+        if (scheme.constantDensity())
+        {
+            volumeGain_[r] = volumeOf(gain);
+        }
+    }
+
+    if (nEnergies_)
+    {
+        // The fluid has less of the enthalpy that a parcel gets
+        G_.last() = -1;
+    }
+}
+
+
+void Foam::cghs::reactingCell::start
+(
+    const UList<scalar>& amounts,
+    const scalar T,
+    const scalar p,
+    const scalar volume
+)
+{
+    bodies_.clear();
+    amounts_.clear();
+    enthalpy_.clear();
+    T_.clear();
+
+    p_ = p;
+    volume_ = volume;
+    fluidT_ = T;
+
+    forAll(amounts, k)
+    {
+        z_[k] = amounts[k];
+    }
+    if (nEnergies_)
+    {
+        z_[nFluid_] = 0;
+        forAll(amounts, k)
+        {
+            z_[nFluid_] += amounts[k]*scheme_.fluid()[k].h(T);
+        }
+    }
+}
+
+
+void Foam::cghs::reactingCell::add
+(
+    const body& parcel,
+    const UList<scalar>& amounts
+)
+{
+    bodies_.append(parcel);
+    T_.append(parcel.T);
+
+    scalar H = 0;
+    forAll(amounts, s)
+    {
+        amounts_.append(amounts[s]);
+        if (nEnergies_)
+        {
+            H += amounts[s]*scheme_.solids()[s].h(parcel.T);
+        }
+    }
+    enthalpy_.append(H);
+    bodies_.last().amount = sum(amounts);
+}
+
+// * * * * * * * * * * * * * * * * * The time  * * * * * * * * * * * * * * * //
+
+bool Foam::cghs::reactingCell::react(const scalar deltaT, scalar& h)
+{
+    if (!integrator_->integrate(*this, z_, deltaT, h))
+    {
+        return false;
+    }
+
+    for (label k = 0; k < nFluid_; ++k)
+    {
+        z_[k] = max(z_[k], scalar(0));
+    }
+    share(z_.cdata());
+
+    forAll(bodies_, i)
+    {
+        const scalar* x = integrator_->extents(i);
+        look(i, x);
+        forAll(n_, s)
+        {
+            amounts_[i*nSolids_ + s] = max(n_[s], scalar(0));
+        }
+        if (nEnergies_)
+        {
+            enthalpy_[i] += x[nReactions_];
+        }
+    }
+    return true;
+}
+
+// * * * * * * * * * * * * * * * *  The state  * * * * * * * * * * * * * * * //
+
+Foam::scalar Foam::cghs::reactingCell::temperatureOf
+(
+    const substances& list,
+    const scalar* n,
+    const scalar H,
+    const scalar guess
+)
+{
+    scalar T = guess;
+    for (label pass = 0; pass < 50; ++pass)
+    {
+        scalar missing = H;
+        scalar C = 0;
+        forAll(list, k)
+        {
+            missing -= n[k]*list[k].h(T);
+            C += n[k]*list[k].Cp(T);
+        }
+        if (!(C > VSMALL))
+        {
+            return guess;
+        }
+
+        const scalar next = min(max(T + missing/C, coldest), hottest);
+        const scalar change = mag(next - T);
+        T = next;
+        if (change < 1e-12*T)
+        {
+            break;
+        }
+    }
+    return T;
+}
+
+
+void Foam::cghs::reactingCell::look(const label i, const scalar* x) const
+{
+    for (label s = 0; s < nSolids_; ++s)
+    {
+        n_[s] = amounts_[i*nSolids_ + s];
+        for (label r = 0; r < nReactions_; ++r)
+        {
+            n_[s] +=
+                scheme_.inParticles()[r].equation().solidGain()[s]*x[r];
+        }
+    }
+
+    if (nEnergies_)
+    {
+        T_[i] = temperatureOf
+        (
+            scheme_.solids(),
+            n_.cdata(),
+            enthalpy_[i] + x[nReactions_],
+            T_[i]
+        );
+    }
+}
+
+
+Foam::scalar Foam::cghs::reactingCell::massOf(const scalarField& n) const
+{
+    scalar m = 0;
+    forAll(n, s)
+    {
+        m += n[s]*scheme_.solids()[s].M();
+    }
+    return m;
+}
+
+
+Foam::scalar Foam::cghs::reactingCell::volumeOf(const scalarField& n) const
+{
+    scalar V = 0;
+    forAll(n, s)
+    {
+        V += n[s]*scheme_.solids()[s].M()/scheme_.solids()[s].rho();
+    }
+    return V;
+}
+
+
+Foam::scalar Foam::cghs::reactingCell::diameter(const label i) const
+{
+    if (!scheme_.constantDensity())
+    {
+        return bodies_[i].d;
+    }
+
+    const scalar V = max(volumeOf(n_), VSMALL)/bodies_[i].W;
+    return std::cbrt(6*V/constant::mathematical::pi);
+}
+
+
+Foam::scalar Foam::cghs::reactingCell::fluidVolume() const
+{
+    return p_ > 0 ? total_*molarR*fluidT_/p_ : volume_;
+}
+
+
+void Foam::cghs::reactingCell::share(const scalar* z)
+{
+    const label nShared = nFluid_ + nEnergies_;
+    total_ = VSMALL;
+    for (label k = 0; k < nFluid_; ++k)
+    {
+        total_ += z[k];
+    }
+
+    if (nEnergies_)
+    {
+        fluidT_ = temperatureOf(scheme_.fluid(), z, z[nFluid_], fluidT_);
+
+        scalar C = VSMALL;
+        for (label k = 0; k < nFluid_; ++k)
+        {
+            fluidH_[k] = scheme_.fluid()[k].h(fluidT_);
+            fluidCp_[k] = scheme_.fluid()[k].Cp(fluidT_);
+            C += z[k]*fluidCp_[k];
+        }
+        for (label k = 0; k < nFluid_; ++k)
+        {
+            dTdz_[k] = -fluidH_[k]/C;
+        }
+        dTdz_[nFluid_] = 1/C;
+    }
+
+    const scalar V = fluidVolume();
+    for (label k = 0; k < nFluid_; ++k)
+    {
+        const scalar c = z[k]/V;
+        concentration_[k] = c;
+
+        scalar* dc = &dcdz_[k*nShared];
+        for (label j = 0; j < nShared; ++j)
+        {
+            dc[j] = p_ > 0 ? -c/fluidT_*dTdz_[j] : 0;
+        }
+        for (label j = 0; j < nFluid_; ++j)
+        {
+            dc[j] -= p_ > 0 ? c/total_ : 0;
+        }
+        dc[k] += 1/V;
+    }
+}
+
+// * * * * * * * * * * * * * * * * The rates * * * * * * * * * * * * * * * * //
+
+Foam::scalar Foam::cghs::reactingCell::argument
+(
+    const rateArgument& a,
+    const label i
+) const
+{
+    switch (a.what)
+    {
+        case rateArgument::temperature: return i < 0 ? fluidT_ : T_[i];
+        case rateArgument::fluidTemperature: return fluidT_;
+        case rateArgument::diameter: return diameter(i);
+        case rateArgument::mass: return massOf(n_)/bodies_[i].W;
+        case rateArgument::film: return bodies_[i].film;
+        case rateArgument::fluid: return concentration_[a.index];
+        case rateArgument::solid: return n_[a.index]/bodies_[i].W;
+    }
+    return 0;
+}
+
+
+Foam::scalar Foam::cghs::reactingCell::limit
+(
+    const reaction& r,
+    const rateArgument& reactant,
+    const label i,
+    scalar& derivative
+) const
+{
+    const bool fluid = reactant.what == rateArgument::fluid;
+    const scalar n = max
+    (
+        fluid ? concentration_[reactant.index] : n_[reactant.index],
+        scalar(0)
+    );
+    const scalar small =
+        r.vanishing()
+       *(fluid ? total_/fluidVolume() : bodies_[i].amount) + VSMALL;
+
+    derivative = small/sqr(n + small);
+    return n/(n + small);
+}
+
+
+Foam::scalar Foam::cghs::reactingCell::rate
+(
+    const reaction& r,
+    const label i
+) const
+{
+    const UList<rateArgument>& arguments = r.law().arguments();
+    scalar x[kineticLaw::maxArguments];
+    forAll(arguments, a)
+    {
+        x[a] = argument(arguments[a], i);
+    }
+
+    scalar result = r.law().rate(x);
+    for (const rateArgument& reactant : r.limits())
+    {
+        scalar derivative;
+        result *= limit(r, reactant, i, derivative);
+    }
+    return result;
+}
+
+
+void Foam::cghs::reactingCell::addDerivative
+(
+    const rateArgument& a,
+    const scalar slope,
+    const label i,
+    scalar* fx,
+    scalar* fz
+) const
+{
+    const label nShared = nFluid_ + nEnergies_;
+    const label nExtents = nReactions_ + nEnergies_;
+
+    switch (a.what)
+    {
+        case rateArgument::temperature:
+        {
+            if (i < 0)
+            {
+                for (label j = 0; j < nShared; ++j)
+                {
+                    fz[j] += slope*dTdz_[j];
+                }
+                break;
+            }
+            for (label q = 0; q < nExtents; ++q)
+            {
+                fx[q] += slope*dTdx_[q];
+            }
+            break;
+        }
+        case rateArgument::fluidTemperature:
+        {
+            for (label j = 0; j < nShared; ++j)
+            {
+                fz[j] += slope*dTdz_[j];
+            }
+            break;
+        }
+        case rateArgument::fluid:
+        {
+            const scalar* dc = &dcdz_[a.index*nShared];
+            for (label j = 0; j < nShared; ++j)
+            {
+                fz[j] += slope*dc[j];
+            }
+            break;
+        }
+        case rateArgument::solid:
+        {
+            for (label q = 0; q < nReactions_; ++q)
+            {
+                fx[q] +=
+                    slope/bodies_[i].W
+                   *scheme_.inParticles()[q].equation().solidGain()[a.index];
+            }
+            break;
+        }
+        case rateArgument::mass:
+        {
+            for (label q = 0; q < nReactions_; ++q)
+            {
+                fx[q] += slope/bodies_[i].W*massGain_[q];
+            }
+            break;
+        }
+        case rateArgument::diameter:
+        {
+            const scalar V =
+                scheme_.constantDensity() ? volumeOf(n_) : scalar(0);
+            if (V > VSMALL)
+            {
+                const scalar each = slope*diameter(i)/(3*V);
+                for (label q = 0; q < nReactions_; ++q)
+                {
+                    fx[q] += each*volumeGain_[q];
+                }
+            }
+            break;
+        }
+        case rateArgument::film: break;
+    }
+}
+
+
+Foam::scalar Foam::cghs::reactingCell::rate
+(
+    const reaction& r,
+    const label i,
+    const scalar times,
+    scalar* fx,
+    scalar* fz
+) const
+{
+    const UList<rateArgument>& arguments = r.law().arguments();
+    scalar x[kineticLaw::maxArguments];
+    scalar dx[kineticLaw::maxArguments];
+    forAll(arguments, a)
+    {
+        x[a] = argument(arguments[a], i);
+    }
+    const scalar free = r.law().rate(x, dx);
+
+    const UList<rateArgument>& limits = r.limits();
+    scalar all = 1;
+    forAll(limits, l)
+    {
+        scalar slope;
+        all *= limit(r, limits[l], i, slope);
+
+        // The others as they are
+        slope *= times*free;
+        forAll(limits, m)
+        {
+            scalar ignored;
+            slope *= m == l ? 1 : limit(r, limits[m], i, ignored);
+        }
+
+        // That of a solid is by all particles, an argument by one
+        if (limits[l].what == rateArgument::solid)
+        {
+            slope *= bodies_[i].W;
+        }
+        addDerivative(limits[l], slope, i, fx, fz);
+    }
+
+    forAll(arguments, a)
+    {
+        addDerivative(arguments[a], times*all*dx[a], i, fx, fz);
+    }
+    return times*free*all;
+}
+
+
+Foam::scalar Foam::cghs::reactingCell::enthalpyTaken
+(
+    const reaction& r,
+    const scalar T,
+    scalar& byT,
+    scalar& byFluidT
+) const
+{
+    const reactionEquation& equation = r.equation();
+    const substances& fluid = scheme_.fluid();
+    const scalar share = r.heatToFluid();
+
+    scalar q = 0;
+    byT = 0;
+    byFluidT = 0;
+    forAll(fluid, k)
+    {
+        const scalar in = equation.fluidReactants()[k];
+        if (in > 0)
+        {
+            q += in*fluidH_[k];
+            byFluidT += in*fluidCp_[k];
+        }
+
+        const scalar out =
+            equation.fluidProducts()[k] - share*equation.fluidGain()[k];
+        if (out != 0)
+        {
+            q -= out*fluid[k].h(T);
+            byT -= out*fluid[k].Cp(T);
+        }
+    }
+    if (share > 0)
+    {
+        const substances& solids = scheme_.solids();
+        forAll(solids, s)
+        {
+            const scalar gain = share*equation.solidGain()[s];
+            q += gain*solids[s].h(T);
+            byT += gain*solids[s].Cp(T);
+        }
+    }
+    return q;
+}
+
+
+void Foam::cghs::reactingCell::rates
+(
+    const label i,
+    const scalar* x,
+    scalar* f
+)
+{
+    look(i, x);
+
+    scalar power = nEnergies_*bodies_[i].conductance*(fluidT_ - T_[i]);
+    for (label r = 0; r < nReactions_; ++r)
+    {
+        const reaction& reaction = scheme_.inParticles()[r];
+        f[r] = bodies_[i].W*rate(reaction, i);
+        if (nEnergies_)
+        {
+            scalar byT, byFluidT;
+            power += f[r]*enthalpyTaken(reaction, T_[i], byT, byFluidT);
+        }
+    }
+    if (nEnergies_)
+    {
+        f[nReactions_] = power;
+    }
+}
+
+
+void Foam::cghs::reactingCell::findSlopes(const label i)
+{
+    if (!nEnergies_)
+    {
+        return;
+    }
+
+    const substances& solids = scheme_.solids();
+    scalar C = VSMALL;
+    forAll(solids, s)
+    {
+        h_[s] = solids[s].h(T_[i]);
+        C += n_[s]*solids[s].Cp(T_[i]);
+    }
+    for (label q = 0; q < nReactions_; ++q)
+    {
+        const scalarField& gain =
+            scheme_.inParticles()[q].equation().solidGain();
+
+        dTdx_[q] = 0;
+        forAll(gain, s)
+        {
+            dTdx_[q] -= gain[s]*h_[s]/C;
+        }
+    }
+    dTdx_[nReactions_] = 1/C;
+}
+
+
+void Foam::cghs::reactingCell::derivatives
+(
+    const label i,
+    const scalar* x,
+    scalar* f,
+    scalar* fx,
+    scalar* fz
+)
+{
+    const label n = nReactions_ + nEnergies_;
+    const label s = nFluid_ + nEnergies_;
+    std::fill(fx, fx + n*n, 0);
+    std::fill(fz, fz + n*s, 0);
+
+    look(i, x);
+    findSlopes(i);
+
+    for (label r = 0; r < nReactions_; ++r)
+    {
+        f[r] = rate
+        (
+            scheme_.inParticles()[r],
+            i,
+            bodies_[i].W,
+            fx + r*n,
+            fz + r*s
+        );
+    }
+
+    if (nEnergies_)
+    {
+        scalar* ex = fx + nReactions_*n;
+        scalar* ez = fz + nReactions_*s;
+        const scalar k = bodies_[i].conductance;
+
+        f[nReactions_] = k*(fluidT_ - T_[i]);
+        scalar byT = -k;
+        scalar byFluidT = k;
+
+        for (label r = 0; r < nReactions_; ++r)
+        {
+            scalar qByT, qByFluidT;
+            const scalar q = enthalpyTaken
+            (
+                scheme_.inParticles()[r], T_[i], qByT, qByFluidT
+            );
+            f[nReactions_] += f[r]*q;
+            byT += f[r]*qByT;
+            byFluidT += f[r]*qByFluidT;
+
+            for (label c = 0; c < n; ++c)
+            {
+                ex[c] += fx[r*n + c]*q;
+            }
+            for (label c = 0; c < s; ++c)
+            {
+                ez[c] += fz[r*s + c]*q;
+            }
+        }
+        for (label c = 0; c < n; ++c)
+        {
+            ex[c] += byT*dTdx_[c];
+        }
+        for (label c = 0; c < s; ++c)
+        {
+            ez[c] += byFluidT*dTdz_[c];
+        }
+    }
+}
+
+
+void Foam::cghs::reactingCell::ownRates(scalar* f)
+{
+    const scalar V = fluidVolume();
+    forAll(scheme_.inFluid(), r)
+    {
+        f[r] = V*rate(scheme_.inFluid()[r], -1);
+    }
+}
+
+
+void Foam::cghs::reactingCell::ownDerivatives(scalar* f, scalar* fz)
+{
+    const label s = nFluid_ + nEnergies_;
+    const scalar V = fluidVolume();
+    std::fill(fz, fz + nOwn()*s, 0);
+
+    forAll(scheme_.inFluid(), r)
+    {
+        scalar* row = fz + r*s;
+        f[r] = rate(scheme_.inFluid()[r], -1, V, nullptr, row);
+
+        if (p_ > 0)
+        {
+            // A gas takes the volume that it needs
+            for (label j = 0; j < s; ++j)
+            {
+                row[j] += f[r]*dTdz_[j]/fluidT_;
+            }
+            for (label j = 0; j < nFluid_; ++j)
+            {
+                row[j] += f[r]/total_;
+            }
+        }
+    }
+}
+
+// * * * * * * * * * * * * * * What is good enough * * * * * * * * * * * * * //
+
+Foam::scalar Foam::cghs::reactingCell::error
+(
+    const label i,
+    const scalar* x,
+    const scalar* dx
+) const
+{
+    const substances& solids = scheme_.solids();
+    const scalar least = tolerances_.absolute*bodies_[i].amount + VSMALL;
+
+    look(i, x);
+    scalar worst = 0;
+    scalar dH = nEnergies_ ? dx[nReactions_] : 0;
+    scalar C = VSMALL;
+    forAll(solids, s)
+    {
+        scalar dn = 0;
+        for (label r = 0; r < nReactions_; ++r)
+        {
+            dn += scheme_.inParticles()[r].equation().solidGain()[s]*dx[r];
+        }
+        worst = max
+        (
+            worst,
+            mag(dn)/(least + tolerances_.relative*mag(n_[s]))
+        );
+        if (nEnergies_)
+        {
+            dH -= dn*solids[s].h(T_[i]);
+            C += n_[s]*solids[s].Cp(T_[i]);
+        }
+    }
+    return
+        nEnergies_
+      ? max(worst, mag(dH)/(C*tolerances_.relative*T_[i]))
+      : worst;
+}
+
+
+Foam::scalar Foam::cghs::reactingCell::sharedError
+(
+    const scalar* z,
+    const scalar* dz
+) const
+{
+    const substances& fluid = scheme_.fluid();
+    scalar total = VSMALL;
+    for (label k = 0; k < nFluid_; ++k)
+    {
+        total += z[k];
+    }
+
+    scalar T = fluidT_;
+    scalar dH = 0;
+    scalar C = VSMALL;
+    if (nEnergies_)
+    {
+        T = temperatureOf(fluid, z, z[nFluid_], T);
+        dH = dz[nFluid_];
+    }
+
+    scalar worst = 0;
+    for (label k = 0; k < nFluid_; ++k)
+    {
+        worst = max
+        (
+            worst,
+            mag(dz[k])
+           /(tolerances_.absolute*total + tolerances_.relative*mag(z[k]))
+        );
+        if (nEnergies_)
+        {
+            dH -= dz[k]*fluid[k].h(T);
+            C += z[k]*fluid[k].Cp(T);
+        }
+    }
+    return
+        nEnergies_
+      ? max(worst, mag(dH)/(C*tolerances_.relative*T))
+      : worst;
+}
+
+
+bool Foam::cghs::reactingCell::allows(const label i, const scalar* x) const
+{
+    look(i, x);
+    return
+        (n_.empty() || min(n_) >= -rounding*bodies_[i].amount)
+     && T_[i] > coldest && T_[i] < hottest;
+}
+
+
+bool Foam::cghs::reactingCell::allowsShared(const scalar* z) const
+{
+    scalar total = VSMALL;
+    scalar least = 0;
+    for (label k = 0; k < nFluid_; ++k)
+    {
+        total += z[k];
+        least = min(least, z[k]);
+    }
+
+    if (nEnergies_)
+    {
+        const scalar T =
+            temperatureOf(scheme_.fluid(), z, z[nFluid_], fluidT_);
+        if (!(T > coldest && T < hottest))
+        {
+            return false;
+        }
+    }
+    return least >= -rounding*total;
+}

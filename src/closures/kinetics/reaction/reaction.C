@@ -1,0 +1,59 @@
+/*---------------------------------------------------------------------------*\
+    cghsFoam | coarse-grained hard spheres in OpenFOAM
+    GPL-3.0-or-later, see LICENSE
+\*---------------------------------------------------------------------------*/
+
+#include "reaction.H"
+#include "checkedEntry.H"
+
+
+Foam::cghs::reaction::reaction
+(
+    const word& name,
+    const dictionary& dict,
+    const substances& fluid,
+    const substances& solids
+)
+:
+    name_(name),
+    equation_(dict, fluid, solids),
+    law_(kineticLaw::New(dict, equation_)),
+    heatToFluid_(dict.getOrDefault<scalar>("heatToFluid", 0)),
+    vanishing_(dict.getOrDefault<scalar>("vanishing", 1e-6))
+{
+    checkRange(dict, "heatToFluid", heatToFluid_, scalar(0), scalar(1));
+    checkPositive(dict, "vanishing", vanishing_);
+
+    if (inFluid() && equation_.hasSolid())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Reaction " << name << " happens in the fluid, by its entry of,"
+            << " but its equation has solids" << nl
+            << "Count its rate by particles, or leave the solids out" << nl
+            << exit(FatalIOError);
+    }
+
+    findLimits();
+}
+
+
+void Foam::cghs::reaction::findLimits()
+{
+    const scalarField gain(equation_.fluidGain());
+    forAll(gain, k)
+    {
+        const rateArgument reactant = {rateArgument::fluid, k};
+        if (gain[k] < 0 && !law_->follows(reactant))
+        {
+            limits_.append(reactant);
+        }
+    }
+    forAll(equation_.solidGain(), s)
+    {
+        const rateArgument reactant = {rateArgument::solid, s};
+        if (equation_.solidGain()[s] < 0 && !law_->follows(reactant))
+        {
+            limits_.append(reactant);
+        }
+    }
+}

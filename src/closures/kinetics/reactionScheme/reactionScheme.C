@@ -1,0 +1,119 @@
+/*---------------------------------------------------------------------------*\
+    cghsFoam | coarse-grained hard spheres in OpenFOAM
+    GPL-3.0-or-later, see LICENSE
+\*---------------------------------------------------------------------------*/
+
+#include "reactionScheme.H"
+
+namespace Foam
+{
+namespace cghs
+{
+
+static wordList speciesOf(const dictionary& thermophysics)
+{
+    wordList names;
+    if (!thermophysics.readIfPresent("species", names) || names.empty())
+    {
+        FatalIOErrorInFunction(thermophysics)
+            << "There are no species in the fluid" << nl
+            << "Add an entry species, e.g. (O2 CO2 N2)" << nl
+            << exit(FatalIOError);
+    }
+    return names;
+}
+
+
+static bool readSize(const dictionary& dict, const substances& solids)
+{
+    const word size
+    (
+        dict.getOrDefault<word>("size", "constantDiameter")
+    );
+
+    if (size != "constantDiameter" && size != "constantDensity")
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry size is " << size << nl
+            << "Valid choices: constantDiameter constantDensity" << nl
+            << exit(FatalIOError);
+    }
+
+    const bool constantDensity = size == "constantDensity";
+    for (const substance& solid : solids)
+    {
+        if (constantDensity && !(solid.rho() > 0))
+        {
+            FatalIOErrorInFunction(dict)
+                << "The solid " << solid.name() << " has no density, but size"
+                << " is constantDensity" << nl
+                << "Add to it: equationOfState { rho ...; } [kg/m^3]" << nl
+                << exit(FatalIOError);
+        }
+    }
+    return constantDensity;
+}
+
+} // End namespace cghs
+} // End namespace Foam
+
+
+Foam::cghs::reactionScheme::reactionScheme
+(
+    const dictionary& dict,
+    const dictionary& thermophysics,
+    const bool energetic
+)
+:
+    energetic_(energetic),
+    fluid_
+    (
+        speciesOf(thermophysics),
+        thermophysics,
+        energetic
+      ? thermophysics.subDict("thermoType").get<word>("thermo")
+      : word()
+    ),
+    solids_
+    (
+        dict.subOrEmptyDict("solids").toc(),
+        dict.subOrEmptyDict("solids"),
+        energetic ? dict.getOrDefault<word>("solidThermo", "hConst") : word()
+    ),
+    constantDensity_(readSize(dict, solids_))
+{
+    const dictionary& list = dict.subDict("reactions");
+
+    for (const entry& e : list)
+    {
+        autoPtr<reaction> made
+        (
+            new reaction(e.keyword(), e.dict(), fluid_, solids_)
+        );
+
+        PtrList<reaction>& place =
+            made->inFluid() ? inFluid_ : inParticles_;
+        place.append(made.ptr());
+    }
+}
+
+
+void Foam::cghs::reactionScheme::report(Ostream& os) const
+{
+    for (const PtrList<reaction>* place : {&inParticles_, &inFluid_})
+    {
+        for (const reaction& r : *place)
+        {
+            os  << "Reaction " << r.name()
+                << (r.inFluid() ? ", in the fluid" : ", in particles") << nl;
+
+            const HashTable<scalar>& defects = r.equation().defects();
+            for (const word& element : defects.sortedToc())
+            {
+                os  << "    lumped: turns " << 100*defects[element]
+                    << " % of its " << element << " into nothing or makes it"
+                    << nl;
+            }
+        }
+    }
+}

@@ -1,0 +1,464 @@
+/*---------------------------------------------------------------------------*\
+    cghsFoam | coarse-grained hard spheres in OpenFOAM
+    GPL-3.0-or-later, see LICENSE
+-------------------------------------------------------------------------------
+Description
+    The fluid of a cell and its reacting parcels: derivatives, balances of
+    elements and enthalpy at any step and rate, and rates against analytic ones.
+
+\*---------------------------------------------------------------------------*/
+
+#include "reactingCell.H"
+#include "regeneratorScheme.H"
+#include "complaint.H"
+#include "sampler.H"
+#include "claim.H"
+#include "mathematicalConstants.H"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+namespace Foam
+{
+namespace cghs
+{
+
+namespace
+{
+
+const reactingCell::tolerances usual = {1e-3, 1e-8};
+
+const scalar bar = 1e5;
+
+
+//- The regenerator's reactions with all rates times a factor
+autoPtr<reactionScheme> burning(const scalar factor = 1, const bool energetic = true)
+{
+    dictionary reactions(dictionaryOf(regeneratorReactions));
+    for (const entry& e : reactions.subDict("reactions"))
+    {
+        dictionary& r = reactions.subDict("reactions").subDict(e.keyword());
+        r.set("A", factor*r.get<scalar>("A"));
+    }
+    return autoPtr<reactionScheme>
+    (
+        new reactionScheme
+        (
+            reactions,
+            dictionaryOf(regeneratorGas),
+            energetic
+        )
+    );
+}
+
+
+//- A litre of gas at 912 K and 1.4 bar: air that has burnt half
+scalarField flueGas()
+{
+    const scalar all = 1.4*bar*1e-3/(8.314*912);
+    return all*scalarField(List<scalar>({0.1, 0.08, 0.02, 0.05, 0.75}));
+}
+
+
+//- Add n parcels of W particles of spent catalyst
+void addCatalyst(reactingCell& cell, const label n, const scalar conductance)
+{
+    sampler random(5);
+    for (label i = 0; i < n; ++i)
+    {
+        reactingCell::body b;
+        b.W = 5e4;
+        b.d = 60e-6;
+        b.T = random.between(700, 950);
+        b.conductance = conductance;
+        b.film = 1;
+
+        const scalar m = b.W*1500*3.14159/6*pow3(b.d);
+        cell.add
+        (
+            b,
+            scalarField
+            (
+                List<scalar>
+                ({
+                    random.between(0, 0.02)*m/0.012,
+                    random.between(0, 0.001)*m/0.001,
+                    m/0.06
+                })
+            )
+        );
+    }
+}
+
+
+//- Atoms of each element, mass and enthalpy in all of the cell
+struct contents
+{
+    HashTable<scalar> atoms;
+    scalar mass = 0;
+    scalar enthalpy = 0;
+
+    contents(const reactionScheme& scheme, const reactingCell& cell)
+    {
+        add(scheme.fluid(), cell.fluidState());
+        for (label i = 0; i < cell.nBodies(); ++i)
+        {
+            add(scheme.solids(), cell.amounts(i));
+            enthalpy += cell.enthalpy(i);
+        }
+        if (scheme.energetic())
+        {
+            enthalpy += cell.fluidState().last();
+        }
+    }
+
+    void add(const substances& list, const UList<scalar>& n)
+    {
+        forAll(list, k)
+        {
+            mass += n[k]*list[k].M();
+            forAllConstIters(list[k].elements(), e)
+            {
+                if (!atoms.found(e.key()))
+                {
+                    atoms.insert(e.key(), 0);
+                }
+                atoms[e.key()] += n[k]*e.val();
+            }
+        }
+    }
+};
+
+}
+
+
+TEST_CASE("Derivatives of a reacting cell", "[reaction]")
+{
+    claim right("reactingCell.derivatives", 2e-5);
+
+    const autoPtr<reactionScheme> made(burning());
+    const reactionScheme& scheme = made();
+    reactingCell cell(scheme, usual);
+    cell.start(flueGas(), 890, 1.4*bar);
+    addCatalyst(cell, 3, 0.3);
+
+    const label n = cell.nExtents();
+    const label s = cell.nShared();
+    const label o = cell.nOwn();
+    const scalarField z(cell.fluidState());
+    scalarField x(n, 0);
+    scalarField f(n), fx(n*n), fz(n*s), g(n), gBack(n);
+    scalarField f0(o), f0z(o*s), g0(o), g0Back(o);
+
+    // By which each is changed: amounts, and enthalpies in J
+    const scalar byAmount = 1e-6*sum(flueGas());
+    const scalar byEnthalpy = 1e-4;
+
+    for (label i = 0; i < 3; ++i)
+    {
+        cell.share(z.cdata());
+        cell.derivatives(i, x.cdata(), f.data(), fx.data(), fz.data());
+
+        for (label c = 0; c < n; ++c)
+        {
+            const scalar d = c == n - 1 ? byEnthalpy : byAmount;
+            scalarField at(x);
+            at[c] = d;
+            cell.rates(i, at.cdata(), g.data());
+            at[c] = -d;
+            cell.rates(i, at.cdata(), gBack.data());
+            for (label r = 0; r < n; ++r)
+            {
+                const scalar slope = (g[r] - gBack[r])/(2*d);
+                right.see
+                (
+                    mag(slope - fx[r*n + c])
+                   /(mag(slope) + 1e-3*mag(f[r])/d + VSMALL)
+                );
+            }
+        }
+        for (label c = 0; c < s; ++c)
+        {
+            const scalar d = c == s - 1 ? byEnthalpy : byAmount;
+            scalarField at(z);
+            at[c] += d;
+            cell.share(at.cdata());
+            cell.rates(i, x.cdata(), g.data());
+            cell.ownRates(g0.data());
+            at[c] -= 2*d;
+            cell.share(at.cdata());
+            cell.rates(i, x.cdata(), gBack.data());
+            cell.ownRates(g0Back.data());
+            cell.share(z.cdata());
+            cell.ownDerivatives(f0.data(), f0z.data());
+
+            for (label r = 0; r < n; ++r)
+            {
+                const scalar slope = (g[r] - gBack[r])/(2*d);
+                right.see
+                (
+                    mag(slope - fz[r*s + c])
+                   /(mag(slope) + 1e-3*mag(f[r])/d + VSMALL)
+                );
+            }
+            for (label r = 0; r < o; ++r)
+            {
+                const scalar slope = (g0[r] - g0Back[r])/(2*d);
+                right.see
+                (
+                    mag(slope - f0z[r*s + c])
+                   /(mag(slope) + 1e-3*mag(f0[r])/d + VSMALL)
+                );
+            }
+        }
+    }
+
+    right.settle();
+}
+
+
+TEST_CASE("Elements, mass and enthalpy close at any step", "[reaction]")
+{
+    claim ends("reactingCell.ends", 0);
+    claim atoms("reactingCell.elements", 1e-13);
+    claim mass("reactingCell.mass", 1e-13);
+    claim enthalpy("reactingCell.enthalpy", 1e-12);
+    claim positive("reactingCell.positive", 0);
+    claim bounded("reactingCell.temperatures", 0);
+
+    for (const scalar factor : {1.0, 1e4, 1e8})
+    {
+        const autoPtr<reactionScheme> made(burning(factor));
+        const reactionScheme& scheme = made();
+        reactingCell cell(scheme, usual);
+
+        for (const scalar dt : {1e-6, 1e-3, 1.0})
+        {
+            for (const label n : {1, 30})
+            {
+                cell.start(flueGas(), 890, 1.4*bar);
+                addCatalyst(cell, n, 1);
+                const contents before(scheme, cell);
+
+                scalar h = dt;
+                ends.count(cell.react(dt, h));
+
+                const contents after(scheme, cell);
+                forAllConstIters(before.atoms, e)
+                {
+                    atoms.see(mag(after.atoms[e.key()]/e.val() - 1));
+                }
+                mass.see(mag(after.mass/before.mass - 1));
+
+                // Over what bodies hold between 0 K and theirs
+                enthalpy.see
+                (
+                    mag(after.enthalpy - before.enthalpy)
+                   /(before.mass*1100*900)
+                );
+
+                for (label k = 0; k < scheme.fluid().size(); ++k)
+                {
+                    positive.count(cell.fluidState()[k] >= 0);
+                }
+                for (label i = 0; i < n; ++i)
+                {
+                    positive.count(min(cell.amounts(i)) >= 0);
+                    bounded.count
+                    (
+                        cell.temperature(i) > 690
+                     && cell.temperature(i) < 3500
+                    );
+                }
+            }
+        }
+    }
+
+    ends.settle();
+    atoms.settle();
+    mass.settle();
+    enthalpy.settle();
+    positive.settle();
+    bounded.settle();
+}
+
+
+TEST_CASE("Burning coke by first order", "[reaction]")
+{
+    claim burnt("reactingCell.firstOrder", 1e-4);
+
+    // So much gas that it stays as it is, without CO, and one temperature
+    const autoPtr<reactionScheme> made(burning(1, false));
+    const reactionScheme& scheme = made();
+    reactingCell cell(scheme, {1e-5, 1e-10});
+    const scalar T = 912;
+    scalarField air(1e6*flueGas());
+    air[4] += air[2];
+    air[2] = 0;
+    cell.start(air, T, 1.4*bar);
+
+    reactingCell::body b;
+    b.W = 1;
+    b.d = 60e-6;
+    b.T = T;
+    b.conductance = 0;
+    b.film = 1;
+    const scalarField coke(List<scalar>({1e-9, 0, 1e-7}));
+    cell.add(b, coke);
+
+    const scalar k =
+        (2.78e8 + 1e8)*std::exp(-161200/(8.31446261815324*T))*0.1*1.4;
+    scalar h = 1;
+    for (label i = 0; i < 5; ++i)
+    {
+        REQUIRE(cell.react(40, h));
+        burnt.see
+        (
+            mag(cell.amounts(0)[0]/coke[0]/std::exp(-k*40*(i + 1)) - 1)
+        );
+        const scalarField left(cell.amounts(0));
+        const scalarField gas(cell.fluidState());
+        cell.start(gas, T, 1.4*bar);
+        cell.add(b, left);
+    }
+
+    burnt.settle();
+}
+
+
+TEST_CASE("A particle that turns at a constant rate", "[reaction]")
+{
+    // A + 2 B -> C + D at 3.927e-4 mol/s, A and C in the gas: MFiX's case
+    claim mass("reactingCell.constantRate", 1e-3);
+    claim ended("reactingCell.constantRate.end", 1e-3);
+
+    const reactionScheme scheme
+    (
+        dictionaryOf
+        (
+            "solids"
+            "{"
+            "    B { specie { molWeight 15; } }"
+            "    D { specie { molWeight 25; } }"
+            "}"
+            "reactions"
+            "{"
+            "    turn"
+            "    {"
+            "        equation \"A + 2 B = C + D\";"
+            "        rate massAction; of particleVolume; A 1; Ea 0;"
+            "    }"
+            "}"
+        ),
+        dictionaryOf
+        (
+            "species (A C);"
+            "A { specie { molWeight 25; } }"
+            "C { specie { molWeight 30; } }"
+        ),
+        false
+    );
+    reactingCell cell(scheme, {1e-4, 1e-9});
+
+    reactingCell::body b;
+    b.W = 1;
+    // A volume by which the rate is that of the case
+    b.d = std::cbrt(6*3.927e-4/constant::mathematical::pi);
+    b.T = 300;
+    b.conductance = 0;
+    b.film = 1;
+
+    const scalar m = 35.343e-6;
+    const scalarField start(List<scalar>({0.5*m/0.015, 0.5*m/0.025}));
+    const auto massAfter = [&](const scalar t)
+    {
+        cell.start(scalarField(List<scalar>({1, 1})), 300, bar);
+        cell.add(b, start);
+        scalar h = 1e-3;
+        REQUIRE(cell.react(t, h));
+        return 0.015*cell.amounts(0)[0] + 0.025*cell.amounts(0)[1];
+    };
+
+    for (const scalar t : {0.3, 0.75, 1.2})
+    {
+        mass.see(mag(massAfter(t)/(m - 5e-3*3.927e-4*t) - 1));
+    }
+    ended.see(mag(massAfter(2)/32.398e-6 - 1));
+
+    mass.settle();
+    ended.settle();
+}
+
+
+TEST_CASE("Reactions that cannot be", "[reaction]")
+{
+    const auto change = [](const char* name, const char* text)
+    {
+        return [=]
+        {
+            dictionary reactions(dictionaryOf(regeneratorReactions));
+            reactions.subDict("reactions").subDict(name).merge
+            (
+                dictionaryOf(text)
+            );
+            reactionScheme
+            (
+                reactions,
+                dictionaryOf(regeneratorGas),
+                true
+            );
+        };
+    };
+
+    settleComplaint
+    (
+        "reactions.unbalanced",
+        {"C + O2 = CO", "atoms of O", "right side", "lumped"},
+        change("burnC", "equation \"C + O2 = CO\";")
+    );
+    settleComplaint
+    (
+        "reactions.unknownSpecies",
+        {"SO2", "not known", "CO2", "catalyst"},
+        change("burnC", "equation \"C + O2 = SO2\";")
+    );
+    settleComplaint
+    (
+        "reactions.noUnit",
+        {"driving", "bar", "mol/L"},
+        [=]
+        {
+            dictionary reactions(dictionaryOf(regeneratorReactions));
+            reactions.subDict("reactions").subDict("burnC").remove("driving");
+            reactionScheme(reactions, dictionaryOf(regeneratorGas), true);
+        }
+    );
+    settleComplaint
+    (
+        "reactions.wrongUnit",
+        {"psi", "Pa", "mol/m3"},
+        change("burnC", "driving psi;")
+    );
+    settleComplaint
+    (
+        "reactions.negativeOrder",
+        {"order of CO", "-1", "infinite"},
+        change("burnCO", "orders { CO -1; }")
+    );
+    settleComplaint
+    (
+        "reactions.solidInFluid",
+        {"happens in the fluid", "solids"},
+        change("burnC", "of fluidVolume;")
+    );
+    settleComplaint
+    (
+        "reactions.basis",
+        {"parcelMass", "particleMass", "fluidVolume"},
+        change("burnC", "of parcelMass;")
+    );
+}
+
+} // End namespace cghs
+} // End namespace Foam
