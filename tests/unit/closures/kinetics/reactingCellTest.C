@@ -38,7 +38,9 @@ autoPtr<reactionScheme> burning(const scalar factor = 1, const bool energetic = 
     dictionary reactions(dictionaryOf(regeneratorReactions));
     for (const entry& e : reactions.subDict("reactions"))
     {
-        dictionary& r = reactions.subDict("reactions").subDict(e.keyword());
+        dictionary& r =
+            reactions.subDict("reactions").subDict(e.keyword());
+
         r.set("A", factor*r.get<scalar>("A"));
     }
     return autoPtr<reactionScheme>
