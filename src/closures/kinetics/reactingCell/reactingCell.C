@@ -54,23 +54,24 @@ Foam::cghs::reactingCell::reactingCell
 )
 :
     scheme_(scheme),
-    tolerances_(tolerated),
     nFluid_(scheme.fluid().size()),
+    nEnergies_(scheme.energetic() ? 1 : 0),
+    G0_((nFluid_ + nEnergies_)*scheme.inFluid().size(), 0),
+    now_(nullptr),
+    fluidT_(0),
+    total_(0),
+    dTdz_(nFluid_ + nEnergies_, 0),
+    tolerances_(tolerated),
     nSolids_(scheme.solids().size()),
     nReactions_(scheme.inParticles().size()),
-    nEnergies_(scheme.energetic() ? 1 : 0),
     integrator_(arrowIntegrator::New(nReactions_ + nEnergies_)),
     G_((nFluid_ + nEnergies_)*(nReactions_ + nEnergies_), 0),
-    G0_((nFluid_ + nEnergies_)*scheme.inFluid().size(), 0),
     z_(nFluid_ + nEnergies_, 0),
     p_(0),
     volume_(0),
-    fluidT_(0),
-    total_(0),
     concentration_(nFluid_, 0),
     fluidH_(nFluid_, 0),
     fluidCp_(nFluid_, 0),
-    dTdz_(nFluid_ + nEnergies_, 0),
     dcdz_(nFluid_*(nFluid_ + nEnergies_), 0),
     massGain_(nReactions_, 0),
     volumeGain_(nReactions_, 0),
@@ -124,12 +125,23 @@ void Foam::cghs::reactingCell::start
     }
     if (nEnergies_)
     {
-        z_[nFluid_] = 0;
-        forAll(amounts, k)
-        {
-            z_[nFluid_] += amounts[k]*scheme_.fluid()[k].h(T);
-        }
+        z_[nFluid_] = enthalpyOf(amounts, T);
     }
+}
+
+
+Foam::scalar Foam::cghs::reactingCell::enthalpyOf
+(
+    const UList<scalar>& amounts,
+    const scalar T
+) const
+{
+    scalar H = 0;
+    forAll(amounts, k)
+    {
+        H += amounts[k]*scheme_.fluid()[k].h(T);
+    }
+    return H;
 }
 
 
@@ -291,6 +303,7 @@ Foam::scalar Foam::cghs::reactingCell::fluidVolume() const
 void Foam::cghs::reactingCell::share(const scalar* z)
 {
     const label nShared = nFluid_ + nEnergies_;
+    now_ = z;
     total_ = VSMALL;
     for (label k = 0; k < nFluid_; ++k)
     {
@@ -722,7 +735,7 @@ void Foam::cghs::reactingCell::ownDerivatives(scalar* f, scalar* fz)
 {
     const label s = nFluid_ + nEnergies_;
     const scalar V = fluidVolume();
-    std::fill(fz, fz + nOwn()*s, 0);
+    std::fill(fz, fz + scheme_.inFluid().size()*s, 0);
 
     forAll(scheme_.inFluid(), r)
     {

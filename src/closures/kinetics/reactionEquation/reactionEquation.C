@@ -61,7 +61,7 @@ Foam::cghs::reactionEquation::reactionEquation
     readSide(text.substr(0, middle), -1, dict);
     readSide(text.substr(middle + 1), 1, dict);
 
-    if (max(mag(fluidGain_)()) + max(mag(solidGain_)()) < balanced)
+    if (max(max(mag(fluidGain_)()), max(mag(solidGain_)())) < balanced)
     {
         refuse(dict, text, "changes nothing");
     }
