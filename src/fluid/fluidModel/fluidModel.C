@@ -226,14 +226,51 @@ Foam::tmp<Foam::surfaceScalarField> Foam::cghs::fluidModel::wholeFlux()
 }
 
 
-void Foam::cghs::fluidModel::addSources(fvVectorMatrix& UEqn)
+void Foam::cghs::fluidModel::addOptions(fvVectorMatrix& UEqn)
 {
-    source_ = contentSource(*options_);
-    source_.ref().rename("contentSource");
+    optionSource_ = contentSource(*options_);
+    optionSource_.ref().rename("contentSource");
 
     // The equation is that of u, not of c u: what comes in is not yet as fast
-    UEqn += fvm::Sp(posPart(source_()), U_);
+    UEqn += fvm::Sp(posPart(optionSource_()), U_);
     UEqn -= momentumSource(*options_);
+
+    source_ = new volScalarField(optionSource_());
+}
+
+
+void Foam::cghs::fluidModel::addParcelMass(fvVectorMatrix& UEqn)
+{
+    const dimensionedScalar rho0(momentumDensity());
+
+    addTo
+    (
+        source_,
+        tmp<volScalarField>((parcelMass_.in() - parcelMass_.out())/rho0)
+    );
+
+    UEqn += fvm::Sp(parcelMass_.in()/rho0, U_);
+    UEqn -= parcelMass_.momentum()/rho0;
+}
+
+
+void Foam::cghs::fluidModel::addSources(fvVectorMatrix& UEqn)
+{
+    source_.clear();
+    optionSource_.clear();
+
+    if (options_->size())
+    {
+        addOptions(UEqn);
+    }
+    if (parcelMass_.any())
+    {
+        addParcelMass(UEqn);
+    }
+    if (source_.valid())
+    {
+        checkSource(source_());
+    }
 }
 
 
@@ -414,10 +451,7 @@ void Foam::cghs::fluidModel::measureContinuity()
 
 void Foam::cghs::fluidModel::solveFor(fvVectorMatrix& UEqn)
 {
-    if (options_->size())
-    {
-        addSources(UEqn);
-    }
+    addSources(UEqn);
 
     UEqn.relax();
     options_->constrain(UEqn);
@@ -489,6 +523,8 @@ void Foam::cghs::fluidModel::solve(cghsCloud& parcels)
     {
         momentum& solids = parcels.momentumExchange();
 
+        parcelMass_ = feelsMass() ? parcels.massGiven() : massTerms();
+
         setSolids(solids.solidsFraction());
         setYield(solids.yieldToVelocity(), solids.yieldToGradient());
 
@@ -502,6 +538,7 @@ void Foam::cghs::fluidModel::solve(cghsCloud& parcels)
     }
     else
     {
+        parcelMass_ = massTerms();
         solveAlone();
     }
 
@@ -544,9 +581,16 @@ void Foam::cghs::fluidModel::solveTransported(const cghsCloud& parcels)
 {
     tmp<volScalarField> massSource;
 
-    if (source_.valid())
+    if (optionSource_.valid())
     {
-        massSource = momentumDensity()*source_();
+        massSource = momentumDensity()*optionSource_();
+    }
+
+    tmp<volScalarField> given;
+
+    if (parcelMass_.any())
+    {
+        given = parcelMass_.in() - parcelMass_.out();
     }
 
     tmp<volScalarField> heating;
@@ -558,7 +602,7 @@ void Foam::cghs::fluidModel::solveTransported(const cghsCloud& parcels)
 
     transported_.solve
     (
-        alpha_, rho(), massSource, heating, *options_, parcels
+        alpha_, rho(), massSource, given, heating, *options_, parcels
     );
     transportedSolved();
 }

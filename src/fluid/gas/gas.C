@@ -5,6 +5,8 @@
 
 #include "gas.H"
 #include "temperature.H"
+#include "composition.H"
+#include "psiReactionThermo.H"
 #include "fvm.H"
 #include "fvc.H"
 #include "addToRunTimeSelectionTable.H"
@@ -34,7 +36,17 @@ static autoPtr<psiThermo> idealGas
     );
     checkTemperature(mesh);
 
-    autoPtr<psiThermo> thermo(psiThermo::New(mesh));
+    autoPtr<psiThermo> thermo;
+
+    if (transported::selected(solution).found("species"))
+    {
+        checkMixture(mesh);
+        thermo.reset(psiReactionThermo::New(mesh).ptr());
+    }
+    else
+    {
+        thermo = psiThermo::New(mesh);
+    }
 
     if (thermo->type().find("perfectGas") == std::string::npos)
     {
@@ -48,6 +60,33 @@ static autoPtr<psiThermo> idealGas
     }
 
     return thermo;
+}
+
+
+//- Let coupled patches know what is beyond: decomposePar does not where ranks
+//  meet at cyclic faces
+static void meetNeighbours(volScalarField& field)
+{
+    volScalarField::Boundary& patches = field.boundaryFieldRef();
+    const label nRequests = Pstream::nRequests();
+
+    for (fvPatchScalarField& there : patches)
+    {
+        if (there.coupled())
+        {
+            there.initEvaluate(Pstream::commsTypes::nonBlocking);
+        }
+    }
+
+    Pstream::waitRequests(nRequests);
+
+    for (fvPatchScalarField& there : patches)
+    {
+        if (there.coupled())
+        {
+            there.evaluate(Pstream::commsTypes::nonBlocking);
+        }
+    }
 }
 
 } // End namespace cghs
@@ -64,6 +103,7 @@ Foam::cghs::gas::gas
 :
     fluidModel(mesh, g, parcels, dimPressure),
     thermo_(idealGas(mesh, parcels.properties().subDict("solution"))),
+    mixture_(startMixture()),
     rho_
     (
         IOobject
@@ -71,7 +111,7 @@ Foam::cghs::gas::gas
             "rho",
             mesh.time().timeName(),
             mesh,
-            transports("energy")
+            psiChanges()
           ? IOobject::READ_IF_PRESENT
           : IOobject::NO_READ,
             IOobject::AUTO_WRITE
@@ -110,13 +150,38 @@ Foam::cghs::gas::gas
     rho_.oldTime();
     thermo_->psi().oldTime();
 
-    if (transports("energy"))
+    if (psiChanges())
     {
-        // psi follows T before the next pressure does. The density is the
+        // psi follows T and composition before the next pressure does. The density is the
         // state between steps, and its mass is kept
         psiOfRho_.reset(new volScalarField("psiOfRho", rho_/p_));
         psiOfRho_->oldTime();
     }
+}
+
+
+Foam::basicSpecieMixture* Foam::cghs::gas::startMixture()
+{
+    basicSpecieMixture* mixture = nullptr;
+
+    meetNeighbours(thermo_->T());
+
+    if (transports("species"))
+    {
+        mixture = &refCast<psiReactionThermo>(thermo_()).composition();
+
+        for (volScalarField& Y : mixture->Y())
+        {
+            meetNeighbours(Y);
+        }
+    }
+
+    if (mixture || Pstream::parRun())
+    {
+        keepTemperature();
+    }
+
+    return mixture;
 }
 
 
@@ -240,8 +305,41 @@ void Foam::cghs::gas::finishStep()
 }
 
 
+void Foam::cghs::gas::keepTemperature()
+{
+    const volScalarField& p = thermo_->p();
+    const volScalarField& T = thermo_->T();
+    volScalarField& he = thermo_->he();
+
+    he.primitiveFieldRef() =
+        thermo_->he
+        (
+            p.primitiveField(),
+            T.primitiveField(),
+            identity(mesh().nCells())
+        );
+    forAll(T.boundaryField(), patchi)
+    {
+        he.boundaryFieldRef()[patchi] ==
+            thermo_->he
+            (
+                p.boundaryField()[patchi],
+                T.boundaryField()[patchi],
+                patchi
+            );
+    }
+
+    thermo_->correct();
+}
+
+
 void Foam::cghs::gas::transportedSolved()
 {
+    if (mixture_ && !transports("energy"))
+    {
+        keepTemperature();
+    }
+
     mu_ = thermo_->mu();
 }
 

@@ -57,7 +57,13 @@ Foam::cghs::incompressibleFluid::incompressibleFluid
     ),
     mu_("mu", rho_*viscosity_.nu()),
     pRefCell_(0),
-    pRefValue_(0)
+    pRefValue_(0),
+    dilute_
+    (
+        transports("species")
+     && parcels.properties().subDict("solution")
+       .subOrEmptyDict("speciesCoeffs").getOrDefault<bool>("dilute", true)
+    )
 {
     setRefCell(p_, pisoDict(), pRefCell_, pRefValue_);
 
@@ -146,22 +152,27 @@ Foam::cghs::incompressibleFluid::contentGain
 Foam::tmp<Foam::volScalarField>
 Foam::cghs::incompressibleFluid::contentSource(fv::optionList& options)
 {
-    tmp<volScalarField> S(options(alpha_) & alpha_);
+    return options(alpha_) & alpha_;
+}
 
-    const scalar total = fvc::domainIntegrate(S()).value();
-    const scalar given = fvc::domainIntegrate(mag(S())).value();
+
+void Foam::cghs::incompressibleFluid::checkSource
+(
+    const volScalarField& source
+) const
+{
+    const scalar total = fvc::domainIntegrate(source).value();
+    const scalar given = fvc::domainIntegrate(mag(source)).value();
 
     if (p_.needReference() && mag(total) > 1e-6*given)
     {
         FatalErrorInFunction
-            << "The fvOptions of alpha put " << total << " m^3/s of fluid into"
-            << " a mesh that has no outlet for it" << nl
+            << "fvOptions of alpha and parcels put " << total << " m^3/s of"
+            << " fluid into a mesh that has no outlet for it" << nl
             << "Give p a value at a patch, let the sources add up to zero, or"
             << " choose the fluid gas" << nl
             << exit(FatalError);
     }
-
-    return S;
 }
 
 

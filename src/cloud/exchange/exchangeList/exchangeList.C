@@ -201,6 +201,19 @@ Foam::cghs::exchangeList::terms(const word& quantity) const
 }
 
 
+Foam::cghs::massTerms Foam::cghs::exchangeList::massGiven() const
+{
+    massTerms sum;
+
+    for (const exchange& e : *this)
+    {
+        sum.add(e.massGiven());
+    }
+
+    return sum;
+}
+
+
 void Foam::cghs::exchangeList::complete
 (
     arena& parcels,

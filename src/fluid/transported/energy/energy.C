@@ -5,12 +5,12 @@
 
 #include "energy.H"
 #include "fluidModel.H"
+#include "species.H"
+#include "sharedWeights.H"
 #include "caseChecks.H"
 #include "knownEntries.H"
 #include "profiling.H"
 #include "syncTools.H"
-#include "cyclicFvPatch.H"
-#include "processorFvPatch.H"
 #include "fvm.H"
 #include "fvc.H"
 #include "addToRunTimeSelectionTable.H"
@@ -21,13 +21,6 @@ namespace cghs
 {
     defineTypeNameAndDebug(energy, 0);
     addToRunTimeSelectionTable(transported, energy, fluid);
-
-
-//- Is there one face beside each of the patch?
-static bool pairsFaces(const fvPatch& patch)
-{
-    return isA<cyclicFvPatch>(patch) || isA<processorFvPatch>(patch);
-}
 
 
 //- Make a convection carry the same through both sides of a coupled face, the
@@ -275,12 +268,73 @@ Foam::tmp<Foam::fvScalarMatrix> Foam::cghs::energy::transport
     {
         closed -= S();
     }
+    if (flow.given.valid())
+    {
+        closed -= flow.given();
+    }
 
     return
         fvm::ddt(flow.alpha, flow.rho, he_)
-      + joinSides(fvm::div(flow.massFlux, he_, scheme))
+      + (
+            flow.mixing
+          ? sharedWeights::convection
+            (
+                flow.massFlux,
+                he_,
+                flow.mixing->weights()
+            )
+          : joinSides(fvm::div(flow.massFlux, he_, scheme))
+        )
       - fvm::Sp(closed, he_)
-      - fvm::laplacian(conduction, he_);
+      - (
+            flow.mixing
+          ? fvm::laplacian
+            (
+                fvc::interpolate(conduction),
+                he_,
+                "laplacian(conduction," + he_.name() + ')'
+            )
+          : fvm::laplacian(conduction, he_)
+        );
+}
+
+
+Foam::tmp<Foam::surfaceScalarField>
+Foam::cghs::energy::carriedByDiffusion
+(
+    const fluidFlow& flow,
+    const volScalarField& conduction
+) const
+{
+    return
+        flow.mixing
+      ? flow.mixing->carriedEnergy
+        (
+            fvc::interpolate(conduction),
+            enthalpy() || pressureWork_
+        )
+      : tmp<surfaceScalarField>();
+}
+
+
+Foam::cghs::energy::tangent
+Foam::cghs::energy::start(const fluidFlow& flow) const
+{
+    tangent at
+    {
+        volScalarField("tangent:T", thermo_.T()),
+        volScalarField("tangent:he", he_.oldTime()),
+        volScalarField("tangent:Cp", Cp_),
+        0
+    };
+
+    if (flow.mixing)
+    {
+        at.he = thermo_.he(thermo_.p(), thermo_.T());
+        at.Cp = thermo_.Cpv();
+    }
+
+    return at;
 }
 
 
@@ -324,10 +378,16 @@ bool Foam::cghs::energy::advance
 void Foam::cghs::energy::solve
 (
     const fluidFlow& flow,
-    const exchangeTerms& terms
+    const givenTerms& given
 )
 {
     addProfiling(energy, "cghs::energy");
+
+    exchangeTerms terms(given(type()));
+    if (terms.any() && !terms.responds())
+    {
+        terms.response = 0*terms.given()/thermo_.T();
+    }
 
     const volScalarField conduction
     (
@@ -349,6 +409,16 @@ void Foam::cghs::energy::solve
         others -= flow.dissipation();
     }
 
+    const tmp<surfaceScalarField> carried
+    (
+        carriedByDiffusion(flow, conduction)
+    );
+
+    if (carried.valid())
+    {
+        others += fvc::div(carried());
+    }
+
     tmp<fvScalarMatrix> radiated;
 
     if (radiation_.valid())
@@ -364,13 +434,7 @@ void Foam::cghs::energy::solve
         others -= sources();
     }
 
-    tangent at
-    {
-        volScalarField("tangent:T", thermo_.T()),
-        volScalarField("tangent:he", he_.oldTime()),
-        volScalarField("tangent:Cp", Cp_),
-        0
-    };
+    tangent at(start(flow));
 
     do
     {
@@ -397,7 +461,7 @@ void Foam::cghs::energy::solve
 
     balance_ = balance();
     addStored(flow);
-    addBoundary(flow, conduction);
+    addBoundary(flow, conduction, carried);
 
     if (terms.any())
     {
@@ -482,7 +546,8 @@ void Foam::cghs::energy::addStored(const fluidFlow& flow)
 void Foam::cghs::energy::addBoundary
 (
     const fluidFlow& flow,
-    const volScalarField& conduction
+    const volScalarField& conduction,
+    const tmp<surfaceScalarField>& carriedFlux
 )
 {
     scalar scale = 0;
@@ -500,10 +565,14 @@ void Foam::cghs::energy::addBoundary
         (
             -flow.massFlux.boundaryField()[patchi]*he
         );
-        const scalarField conducted
+        scalarField conducted
         (
             conduction.boundaryField()[patchi]*he.snGrad()*he.patch().magSf()
         );
+        if (carriedFlux.valid())
+        {
+            conducted -= carriedFlux().boundaryField()[patchi];
+        }
 
         balance_.inflow += sum(carried);
         balance_.walls += sum(conducted);

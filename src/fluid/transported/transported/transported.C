@@ -5,6 +5,7 @@
 
 #include "transported.H"
 #include "fluidModel.H"
+#include "species.H"
 
 namespace Foam
 {
@@ -18,7 +19,7 @@ namespace cghs
 
 Foam::wordList Foam::cghs::transported::selected(const dictionary& solution)
 {
-    const wordList names(solution.getOrDefault(typeName, wordList()));
+    wordList names(solution.getOrDefault(typeName, wordList()));
 
     forAll(names, i)
     {
@@ -30,6 +31,13 @@ Foam::wordList Foam::cghs::transported::selected(const dictionary& solution)
                 << "Name each quantity once" << nl
                 << exit(FatalIOError);
         }
+    }
+
+    // The composition that a step comes to is that of its energy
+    const label first = names.find(species::typeName);
+    if (first > 0)
+    {
+        Swap(names[0], names[first]);
     }
 
     return names;

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "transportedQuantities.H"
+#include "species.H"
 #include "cghsCloud.H"
 
 Foam::cghs::transportedQuantities::transportedQuantities
@@ -48,7 +49,8 @@ Foam::cghs::transportedQuantities::withField(const word& name) const
         << "Known are: " << flatOutput(known) << nl
         << "Name what has it in the entry " << transported::typeName
         << " in the solution of the cloud's properties, e.g. (energy); G comes"
-        << " with radiation yes in its energyCoeffs" << nl
+        << " with radiation yes in its energyCoeffs, mass fractions with"
+        << " species" << nl
         << exit(FatalError);
 
     return quantities_.first();
@@ -67,15 +69,32 @@ Foam::cghs::transportedQuantities::change(const word& name) const
 {
     const transported& quantity = withField(name);
 
-    if (quantity.potential() != name)
+    if (!quantity.potentials().found(name))
     {
         FatalErrorInFunction
             << "The change of " << name << " is not known, only that of "
-            << quantity.potential() << nl
+            << flatOutput(quantity.potentials()) << nl
             << exit(FatalError);
     }
 
-    return quantity.change();
+    return quantity.change(name);
+}
+
+
+const Foam::cghs::species*
+Foam::cghs::transportedQuantities::mixing() const
+{
+    for (const transported& quantity : quantities_)
+    {
+        const species* composition = dynamic_cast<const species*>(&quantity);
+
+        if (composition && composition->mixes())
+        {
+            return composition;
+        }
+    }
+
+    return nullptr;
 }
 
 
@@ -109,6 +128,7 @@ void Foam::cghs::transportedQuantities::solve
     const volScalarField& alpha,
     const volScalarField& rho,
     const tmp<volScalarField>& source,
+    const tmp<volScalarField>& given,
     const tmp<volScalarField>& dissipation,
     fv::optionList& options,
     const cghsCloud& parcels
@@ -116,27 +136,31 @@ void Foam::cghs::transportedQuantities::solve
 {
     fluidFlow flow
     {
-        alpha, rho, massFlux_(), volumeFlux_(), nullptr, nullptr, options
+        alpha, rho, massFlux_(), volumeFlux_(), nullptr, nullptr, options,
+        nullptr, mixing()
     };
 
     if (source.valid())
     {
         flow.source = source;
     }
+    if (given.valid())
+    {
+        flow.given = given;
+    }
     if (dissipation.valid())
     {
         flow.dissipation = dissipation;
     }
 
+    const auto terms = [&](const word& name)
+    {
+        return parcels.isFelt() ? parcels.terms(name) : exchangeTerms();
+    };
+
     for (transported& quantity : quantities_)
     {
-        quantity.solve
-        (
-            flow,
-            parcels.isFelt()
-          ? parcels.terms(quantity.type())
-          : exchangeTerms()
-        );
+        quantity.solve(flow, terms);
     }
 
     massFlux_.clear();

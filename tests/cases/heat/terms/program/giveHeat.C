@@ -87,15 +87,20 @@ int main(int argc, char *argv[])
         const volScalarField Cp0("Cp0", energy->field("Cp"));
         const volScalarField he0("he0", fluid->thermo().he());
 
-        exchangeTerms terms;
-        terms.given = graded("given", mesh, heat, power);
-        terms.response =
-            graded("response", mesh, heat, power/dimTemperature);
+        const auto terms = [&](const word&)
+        {
+            exchangeTerms ofStep;
+            ofStep.given = graded("given", mesh, heat, power);
+            ofStep.response =
+                graded("response", mesh, heat, power/dimTemperature);
+            return ofStep;
+        };
+        const exchangeTerms givenNow(terms("energy"));
 
         const fluidFlow flow
         {
             fluid->alpha(), fluid->rho(), massFlux, volumeFlux, nullptr,
-            nullptr, fv::options::New(mesh)
+            nullptr, fv::options::New(mesh), nullptr, nullptr
         };
         energy->solve(flow, terms);
         energy->report(Info);
@@ -108,13 +113,13 @@ int main(int argc, char *argv[])
         );
         const tmp<volScalarField> taken
         (
-            terms.given() - terms.response()*energy->change()
+            givenNow.given() - givenNow.response()*energy->change("T")
         );
         misfit = max
         (
             misfit,
             gMax(mag(gained() - taken())().primitiveField())
-           /gMax(mag(terms.given())().primitiveField())
+           /gMax(mag(givenNow.given())().primitiveField())
         );
 
         runTime.write();

@@ -1,0 +1,682 @@
+/*---------------------------------------------------------------------------*\
+    cghsFoam | coarse-grained hard spheres in OpenFOAM
+    GPL-3.0-or-later, see LICENSE
+\*---------------------------------------------------------------------------*/
+
+#include "species.H"
+#include "composition.H"
+#include "sharedWeights.H"
+#include "fluidModel.H"
+#include "fluidThermo.H"
+#include "basicSpecieMixture.H"
+#include "knownEntries.H"
+#include "profiling.H"
+#include "fvm.H"
+#include "fvc.H"
+#include "addToRunTimeSelectionTable.H"
+
+namespace Foam
+{
+namespace cghs
+{
+    defineTypeNameAndDebug(species, 0);
+    addToRunTimeSelectionTable(transported, species, fluid);
+}
+}
+
+// * * * * * * * * * * * * * * * Construction  * * * * * * * * * * * * * * * //
+
+Foam::cghs::species::species(const dictionary& dict, fluidModel& fluid)
+:
+    fluid_(fluid),
+    mixture_(fluid.mixture()),
+    own_(mixture_ ? PtrList<volScalarField>() : readFields(dict)),
+    Y_(mixture_ ? mixture_->Y() : own_),
+    names_(readNames(dict)),
+    inert_(readInert(dict)),
+    diffusivity_(diffusivityModel::New(dict, solvedNames())),
+    diffusivityf_(Y_.size()),
+    gradients_(Y_.size()),
+    balances_(Y_.size())
+{
+    warnUnknownEntries
+    (
+        dict,
+        mixture_
+      ? wordList({"inertSpecie", "diffusivityModel"})
+      : wordList({"species", "dilute", "diffusivityModel"})
+    );
+
+    for (volScalarField& Y : Y_)
+    {
+        Y.mesh().setFluxRequired(Y.name());
+        Y.oldTime();
+    }
+}
+
+
+Foam::PtrList<Foam::volScalarField> Foam::cghs::species::readFields
+(
+    const dictionary& dict
+) const
+{
+    const fvMesh& mesh = fluid_.U().mesh();
+    const wordList names(dict.get<wordList>("species"));
+
+    checkFields(mesh, names, dict);
+
+    PtrList<volScalarField> fields(names.size());
+    forAll(names, k)
+    {
+        fields.set
+        (
+            k,
+            new volScalarField
+            (
+                IOobject
+                (
+                    names[k],
+                    mesh.time().timeName(),
+                    mesh,
+                    IOobject::MUST_READ,
+                    IOobject::AUTO_WRITE
+                ),
+                mesh
+            )
+        );
+    }
+
+    return fields;
+}
+
+
+Foam::wordList Foam::cghs::species::readNames(const dictionary& dict) const
+{
+    wordList names(Y_.size());
+    forAll(names, k)
+    {
+        names[k] = Y_[k].name();
+    }
+
+    return names;
+}
+
+
+Foam::label Foam::cghs::species::readInert(const dictionary& dict) const
+{
+    if (!mixture_)
+    {
+        return -1;
+    }
+
+    const word name(dict.get<word>("inertSpecie"));
+    const label inert = names_.find(name);
+
+    if (inert < 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry inertSpecie is " << name
+            << ", which is none of the species of the gas" << nl << nl
+            << "Valid choices:" << nl << names_ << nl
+            << exit(FatalIOError);
+    }
+
+    return inert;
+}
+
+
+Foam::wordList Foam::cghs::species::solvedNames() const
+{
+    DynamicList<word> solved;
+
+    forAll(names_, k)
+    {
+        if (k != inert_)
+        {
+            solved.append(names_[k]);
+        }
+    }
+
+    return wordList(solved);
+}
+
+// * * * * * * * * * * * * * * * * The step  * * * * * * * * * * * * * * * * //
+
+void Foam::cghs::species::checkGiven
+(
+    const fluidFlow& flow,
+    const UList<exchangeTerms>& terms
+) const
+{
+    if (!mixture_)
+    {
+        return;
+    }
+
+    scalar misfit = 0;
+    scalar scale = 0;
+    scalarField sum(Y_[0].size(), Zero);
+
+    forAll(terms, k)
+    {
+        if (terms[k].any())
+        {
+            sum += terms[k].given().primitiveField();
+            scale += gSumMag(terms[k].given().primitiveField());
+        }
+        if (terms[k].responds() && gMax(terms[k].response().primitiveField()) > 0)
+        {
+            FatalErrorInFunction
+                << "Parcels respond to " << names_[k] << " in a gas: its"
+                << " continuity is solved before " << names_[k]
+                << " has changed" << nl
+                << "Let exchange::terms of species give without a response"
+                << nl << exit(FatalError);
+        }
+    }
+
+    if (flow.given.valid())
+    {
+        sum -= flow.given().primitiveField();
+        scale += gSumMag(flow.given().primitiveField());
+    }
+
+    misfit = gSumMag(sum);
+
+    if (misfit > 1e-9*scale)
+    {
+        FatalErrorInFunction
+            << "What parcels give to the species " << flatOutput(names_)
+            << " is not the mass that they give: both differ by "
+            << misfit/scale << " of it" << nl
+            << "Let exchange::massGiven be the sum of exchange::terms of all"
+            << " species, the inert one too" << nl
+            << exit(FatalError);
+    }
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::cghs::species::weights
+(
+    const fluidFlow& flow
+) const
+{
+    DynamicList<const volScalarField*> fields;
+
+    forAll(Y_, k)
+    {
+        if (k != inert_)
+        {
+            fields.append(&Y_[k]);
+        }
+    }
+    if (mixture_ && fluid_.transports("energy"))
+    {
+        fields.append(&fluid_.thermo().he());
+    }
+
+    return
+        sharedWeights::ofFields
+        (
+            fields,
+            flow.massFlux,
+            "div(alphaRhoPhi,Yi_h)"
+        );
+}
+
+
+Foam::tmp<Foam::volScalarField>
+Foam::cghs::species::bare(const fluidFlow& flow) const
+{
+    bool given = false;
+
+    for (const word& name : names_)
+    {
+        given = given || flow.options.appliesToField(name);
+    }
+
+    return
+        flow.source.valid() && given
+      ? posPart(flow.source())
+      : tmp<volScalarField>();
+}
+
+
+Foam::tmp<Foam::volScalarField>
+Foam::cghs::species::closed(const fluidFlow& flow) const
+{
+    tmp<volScalarField> closed
+    (
+        fvc::ddt(flow.alpha, flow.rho) + fvc::div(flow.massFlux)
+    );
+
+    if (flow.given.valid())
+    {
+        closed.ref() -= flow.given();
+    }
+
+    const tmp<volScalarField> S(bare(flow));
+    if (S.valid())
+    {
+        closed.ref() -= S();
+    }
+
+    return closed;
+}
+
+
+void Foam::cghs::species::solve
+(
+    const label k,
+    const fluidFlow& flow,
+    const volScalarField& closed,
+    const exchangeTerms& terms
+)
+{
+    volScalarField& Y = Y_[k];
+    const word diffusion("laplacian(diffusivity,Yi)");
+    const surfaceScalarField& Gamma = diffusivityf_[k];
+
+    fvScalarMatrix YEqn
+    (
+        fvm::ddt(flow.alpha, flow.rho, Y)
+      + sharedWeights::convection(flow.massFlux, Y, weights_())
+      - fvm::Sp(closed, Y)
+      - fvm::laplacian(Gamma, Y, diffusion)
+    );
+
+    tmp<fvScalarMatrix> gradient;
+    if (mixture_ && fluid_.transports("energy"))
+    {
+        // With what a mesh that is not orthogonal makes explicit as above
+        gradient = fvm::laplacian(Y, diffusion);
+    }
+
+    tmp<fvScalarMatrix> options;
+    if (flow.options.size())
+    {
+        options = flow.options(flow.alpha, flow.rho, Y);
+        YEqn -= options();
+    }
+
+    if (terms.any())
+    {
+        YEqn -= terms.given();
+    }
+    if (terms.responds())
+    {
+        YEqn += fvm::Sp(terms.response(), Y);
+        YEqn -= terms.response()*Y.oldTime();
+    }
+
+    YEqn.relax();
+    flow.options.constrain(YEqn);
+    YEqn.solve(Y.mesh().solver("Yi"));
+    flow.options.correct(Y);
+
+    if (gradient.valid())
+    {
+        gradients_.set(k, gradient().flux().ptr());
+    }
+
+    addUp(k, flow, terms);
+    addSources(balances_[k], k, flow, options);
+}
+
+
+void Foam::cghs::species::closeSum()
+{
+    volScalarField& inert = Y_[inert_];
+
+    inert.primitiveFieldRef() = 1;
+    forAll(Y_, k)
+    {
+        if (k != inert_)
+        {
+            inert.primitiveFieldRef() -= Y_[k].primitiveField();
+        }
+    }
+    inert.correctBoundaryConditions();
+
+    forAll(inert.boundaryField(), patchi)
+    {
+        fvPatchScalarField& there = inert.boundaryFieldRef()[patchi];
+
+        if (there.coupled())
+        {
+            continue;
+        }
+
+        scalarField rest(there.size(), 1);
+        forAll(Y_, k)
+        {
+            if (k != inert_)
+            {
+                rest -= Y_[k].boundaryField()[patchi];
+            }
+        }
+        there == rest;
+    }
+}
+
+
+void Foam::cghs::species::solve
+(
+    const fluidFlow& flow,
+    const givenTerms& given
+)
+{
+    addProfiling(species, "cghs::species");
+
+    List<exchangeTerms> terms(Y_.size());
+    forAll(Y_, k)
+    {
+        terms[k] = given(names_[k]);
+    }
+    checkGiven(flow, terms);
+
+    weights_ = weights(flow);
+
+    const volScalarField open(closed(flow));
+    const volScalarField mut(fluid_.mut());
+
+    forAll(Y_, k)
+    {
+        balances_[k].scale = 0;
+        if (k != inert_)
+        {
+            diffusivityf_.set
+            (
+                k,
+                fvc::interpolate
+                (
+                    diffusivity_->diffusivity
+                    (
+                        names_[k], flow.alpha, flow.rho, fluid_.mu(), mut
+                    )
+                ).ptr()
+            );
+            solve(k, flow, open, terms[k]);
+        }
+    }
+
+    if (inert_ >= 0)
+    {
+        closeSum();
+        addUpInert(flow);
+    }
+    closeBalances(flow);
+}
+
+// * * * * * * * * * * * * * * * For energy  * * * * * * * * * * * * * * * * //
+
+Foam::tmp<Foam::surfaceScalarField> Foam::cghs::species::overInert
+(
+    const label k,
+    const bool enthalpy
+) const
+{
+    const fluidThermo& thermo = fluid_.thermo();
+    const auto ofOne = [&](const label i, const scalar p, const scalar T)
+    {
+        return enthalpy ? mixture_->Hs(i, p, T) : mixture_->HE(i, p, T);
+    };
+    const auto set = [&]
+    (
+        scalarField& values,
+        const scalarField& p,
+        const scalarField& T
+    )
+    {
+        forAll(values, i)
+        {
+            values[i] = ofOne(k, p[i], T[i]) - ofOne(inert_, p[i], T[i]);
+        }
+    };
+
+    volScalarField difference
+    (
+        IOobject("overInert", Y_[k].time().timeName(), Y_[k].mesh()),
+        Y_[k].mesh(),
+        dimensionedScalar(dimEnergy/dimMass, Zero)
+    );
+    const volScalarField& p = thermo.p();
+    const volScalarField& T = thermo.T();
+
+    set(difference.primitiveFieldRef(), p.primitiveField(), T.primitiveField());
+    forAll(p.boundaryField(), patchi)
+    {
+        set
+        (
+            difference.boundaryFieldRef()[patchi],
+            p.boundaryField()[patchi],
+            T.boundaryField()[patchi]
+        );
+    }
+
+    return fvc::interpolate(difference);
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::cghs::species::carriedEnergy
+(
+    const surfaceScalarField& conduction,
+    const bool enthalpy
+) const
+{
+    tmp<surfaceScalarField> sum
+    (
+        new surfaceScalarField
+        (
+            IOobject
+            (
+                "carriedEnergy",
+                conduction.time().timeName(),
+                conduction.mesh()
+            ),
+            conduction.mesh(),
+            dimensionedScalar(dimPower, Zero)
+        )
+    );
+
+    forAll(Y_, k)
+    {
+        if (k != inert_)
+        {
+            const tmp<surfaceScalarField> he(overInert(k, false));
+
+            sum.ref() += conduction*he()*gradients_[k];
+            sum.ref() -=
+                diffusivityf_[k]*gradients_[k]
+               *(enthalpy ? overInert(k, true) : he);
+        }
+    }
+
+    return sum;
+}
+
+// * * * * * * * * * * * * * * * * Reports * * * * * * * * * * * * * * * * * //
+
+Foam::scalar Foam::cghs::species::add
+(
+    balance& b,
+    const volScalarField& density
+)
+{
+    b.scale += fvc::domainIntegrate(mag(density)).value();
+
+    return fvc::domainIntegrate(density).value();
+}
+
+
+void Foam::cghs::species::addBoundary
+(
+    balance& b,
+    const volScalarField& Y,
+    const surfaceScalarField& flux,
+    const surfaceScalarField& diffusivityf
+)
+{
+    // In, out, through walls
+    vector sums(Zero);
+
+    for (const fvPatchScalarField& there : Y.boundaryField())
+    {
+        const label patchi = there.patch().index();
+
+        if (there.coupled() || there.empty())
+        {
+            continue;
+        }
+
+        const scalarField carried(-flux.boundaryField()[patchi]*there);
+
+        sums[0] += sum(posPart(carried));
+        sums[1] -= sum(negPart(carried));
+        sums[2] += sum
+        (
+            diffusivityf.boundaryField()[patchi]*there.snGrad()
+           *there.patch().magSf()
+        );
+    }
+    reduce(sums, sumOp<vector>());
+
+    b.inflow = sums[0];
+    b.outflow = sums[1];
+    b.walls = sums[2];
+    b.scale += mag(sums[0]) + mag(sums[1]) + mag(sums[2]);
+}
+
+
+void Foam::cghs::species::addUp
+(
+    const label k,
+    const fluidFlow& flow,
+    const exchangeTerms& terms
+)
+{
+    const volScalarField& Y = Y_[k];
+    balance& b = balances_[k];
+
+    b.stored = add(b, fvc::ddt(flow.alpha, flow.rho, Y)());
+    addBoundary(b, Y, flow.massFlux, diffusivityf_[k]);
+
+    b.parcels = terms.any() ? add(b, terms.given()) : 0;
+    if (terms.responds())
+    {
+        b.parcels -= add(b, (terms.response()*(Y - Y.oldTime()))());
+    }
+}
+
+
+void Foam::cghs::species::addSources
+(
+    balance& b,
+    const label k,
+    const fluidFlow& flow,
+    const tmp<fvScalarMatrix>& options
+)
+{
+    b.sources = options.valid() ? add(b, (options() & Y_[k])()) : 0;
+
+    if (flow.source.valid())
+    {
+        tmp<volScalarField> carried(flow.source()*Y_[k]);
+        const tmp<volScalarField> S(bare(flow));
+        if (S.valid())
+        {
+            carried.ref() -= S()*Y_[k];
+        }
+        b.sources += add(b, carried());
+    }
+}
+
+
+void Foam::cghs::species::addUpInert(const fluidFlow& flow)
+{
+    const volScalarField& Y = Y_[inert_];
+    balance& b = balances_[inert_];
+    const surfaceScalarField none(0*mag(flow.massFlux)/Y.mesh().magSf());
+
+    b.stored = add(b, fvc::ddt(flow.alpha, flow.rho, Y)());
+    addBoundary(b, Y, flow.massFlux, none);
+
+    b.parcels = flow.given.valid() ? add(b, flow.given()) : 0;
+    b.sources = flow.source.valid() ? add(b, flow.source()) : 0;
+    b.walls = 0;
+    forAll(balances_, k)
+    {
+        if (k != inert_)
+        {
+            b.parcels -= balances_[k].parcels;
+            b.sources -= balances_[k].sources;
+            b.walls -= balances_[k].walls;
+        }
+    }
+}
+
+
+void Foam::cghs::species::closeBalances(const fluidFlow& flow)
+{
+    const scalar deltaT = flow.rho.time().deltaTValue();
+
+    forAll(Y_, k)
+    {
+        balance& b = balances_[k];
+
+        b.mass =
+            fvc::domainIntegrate(flow.alpha*flow.rho*Y_[k]).value();
+        b.missing += b.defect()*deltaT;
+    }
+}
+
+
+void Foam::cghs::species::report(Ostream& os) const
+{
+    forAll(Y_, k)
+    {
+        const balance& b = balances_[k];
+        const scalarField& Y = Y_[k].primitiveField();
+
+        os  << "species " << names_[k] << ": stored " << b.stored
+            << " kg/s, in " << b.inflow << " kg/s, out " << b.outflow
+            << " kg/s, walls " << b.walls << " kg/s, parcels " << b.parcels
+            << " kg/s, sources " << b.sources << " kg/s" << nl
+            << "        defect " << b.defect() << " kg/s, relative "
+            << mag(b.defect())/max(b.scale, VSMALL) << "; " << b.mass
+            << " kg, from nowhere " << b.missing << " kg; Y from "
+            << gMin(Y) << " to " << gMax(Y) << nl;
+    }
+}
+
+// * * * * * * * * * * * * * What parcels meet * * * * * * * * * * * * * * * //
+
+Foam::wordList Foam::cghs::species::fieldNames() const
+{
+    wordList names(names_);
+
+    if (mixture_ && !fluid_.transports("energy"))
+    {
+        names.append(fluid_.thermo().T().name());
+    }
+
+    return names;
+}
+
+
+const Foam::volScalarField&
+Foam::cghs::species::field(const word& name) const
+{
+    const label k = names_.find(name);
+
+    return k >= 0 ? Y_[k] : fluid_.thermo().T();
+}
+
+
+Foam::tmp<Foam::volScalarField>
+Foam::cghs::species::change(const word& name) const
+{
+    const volScalarField& Y = Y_[names_.find(name)];
+
+    return Y - Y.oldTime();
+}
