@@ -36,6 +36,26 @@ static label indexOf
     return index;
 }
 
+
+//- Stop if it has no part on the left side of the equation
+static void checkReactant
+(
+    const dictionary& dict,
+    const word& entry,
+    const scalar coefficient
+)
+{
+    if (!(coefficient > 0))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry " << entry << " is " << dict.get<word>(entry)
+            << ", which is not a reactant of the equation "
+            << dict.get<string>("equation") << nl
+            << "Name a reactant, or add it to the left side" << nl
+            << exit(FatalIOError);
+    }
+}
+
 } // End namespace cghs
 } // End namespace Foam
 
@@ -119,4 +139,32 @@ Foam::label Foam::cghs::kineticLaw::solidIndex
 )
 {
     return indexOf(dict, entry, name, equation.solids(), "the solids");
+}
+
+
+Foam::label Foam::cghs::kineticLaw::fluidReactant
+(
+    const dictionary& dict,
+    const word& entry,
+    const reactionEquation& equation
+)
+{
+    const word name(dict.get<word>(entry));
+    const label k = fluidIndex(dict, entry, name, equation);
+    checkReactant(dict, entry, equation.fluidReactants()[k]);
+    return k;
+}
+
+
+Foam::label Foam::cghs::kineticLaw::solidReactant
+(
+    const dictionary& dict,
+    const word& entry,
+    const reactionEquation& equation
+)
+{
+    const word name(dict.get<word>(entry));
+    const label s = solidIndex(dict, entry, name, equation);
+    checkReactant(dict, entry, equation.solidReactants()[s]);
+    return s;
 }

@@ -223,23 +223,18 @@ void Foam::cghs::massAction::readCutOff
 
 bool Foam::cghs::massAction::follows(const rateArgument& reactant) const
 {
-    const auto is = [&](const label at)
-    {
-        return
-            at >= 0
-         && arguments()[at].what == reactant.what
-         && arguments()[at].index == reactant.index;
-    };
-
     bool does =
-        (basis_ == basis::moles || basis_ == basis::mass) && is(basisAt_);
+        (basis_ == basis::moles || basis_ == basis::mass)
+     && isArgument(basisAt_, reactant);
 
     for (const DynamicList<factor>* factors : {&fluid_, &solid_})
     {
         for (const factor& f : *factors)
         {
             // A power below 1 is linear where little is left
-            does = does || (f.order > 0 && is(f.argument));
+            does =
+                does
+             || (f.order > 0 && isArgument(f.argument, reactant));
         }
     }
     return does;

@@ -33,7 +33,11 @@ const scalar bar = 1e5;
 
 
 //- The regenerator's reactions with all rates times a factor
-autoPtr<reactionScheme> burning(const scalar factor = 1, const bool energetic = true)
+autoPtr<reactionScheme> burning
+(
+    const scalar factor = 1,
+    const bool energetic = true
+)
 {
     dictionary reactions(dictionaryOf(regeneratorReactions));
     for (const entry& e : reactions.subDict("reactions"))
