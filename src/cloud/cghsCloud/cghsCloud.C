@@ -399,6 +399,10 @@ void Foam::cghs::cghsCloud::evolve(const scalar deltaT)
 
     exchanges_.evolve(parcels_, deltaT);
 
+    if (exchanges_.growth() >= 0)
+    {
+        contacts_.resized(exchanges_.growth());
+    }
     if (isFelt())
     {
         exchanges_.leave(parcels_, deltaT);

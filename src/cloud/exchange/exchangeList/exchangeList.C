@@ -174,6 +174,19 @@ void Foam::cghs::exchangeList::evolve(arena& parcels, const scalar deltaT)
 }
 
 
+Foam::scalar Foam::cghs::exchangeList::growth() const
+{
+    scalar most = -1;
+
+    for (const exchange& e : *this)
+    {
+        most = max(most, e.growth());
+    }
+
+    return most;
+}
+
+
 void Foam::cghs::exchangeList::leave
 (
     const arena& parcels,

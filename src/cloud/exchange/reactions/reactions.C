@@ -1,0 +1,686 @@
+/*---------------------------------------------------------------------------*\
+    cghsFoam | coarse-grained hard spheres in OpenFOAM
+    GPL-3.0-or-later, see LICENSE
+\*---------------------------------------------------------------------------*/
+
+#include "reactions.H"
+#include "checkedEntry.H"
+#include "knownEntries.H"
+#include "IOdictionary.H"
+#include "profiling.H"
+#include "mathematicalConstants.H"
+#include "Time.H"
+#include "addToRunTimeSelectionTable.H"
+
+namespace Foam
+{
+namespace cghs
+{
+    defineTypeNameAndDebug(reactions, 0);
+    addToRunTimeSelectionTable(exchange, reactions, dictionary);
+
+
+static IOdictionary constantDictionary(const fvMesh& mesh, const word& name)
+{
+    return IOdictionary
+    (
+        IOobject
+        (
+            name,
+            mesh.time().constant(),
+            mesh,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+}
+
+
+static reactingCell::tolerances readTolerances(const dictionary& dict)
+{
+    const reactingCell::tolerances t =
+    {
+        dict.getOrDefault<scalar>("relative", 1e-3),
+        dict.getOrDefault<scalar>("absolute", 1e-8)
+    };
+    checkRange(dict, "relative", t.relative, scalar(1e-12), scalar(0.1));
+    checkRange(dict, "absolute", t.absolute, scalar(1e-16), scalar(0.1));
+    return t;
+}
+
+
+//- Numbers of bodies in the order of their cells, of which there are n; and
+//  where those of each cell begin
+static labelList sortByCell
+(
+    const UList<label>& cells,
+    const label n,
+    labelList& order
+)
+{
+    labelList starts(n + 1, 0);
+    label nInside = 0;
+    for (const label celli : cells)
+    {
+        if (celli >= 0)
+        {
+            ++starts[celli + 1];
+            ++nInside;
+        }
+    }
+    for (label celli = 0; celli < n; ++celli)
+    {
+        starts[celli + 1] += starts[celli];
+    }
+
+    order.setSize(nInside);
+    labelList next(starts);
+    forAll(cells, i)
+    {
+        if (cells[i] >= 0)
+        {
+            order[next[cells[i]]++] = i;
+        }
+    }
+    return starts;
+}
+
+} // End namespace cghs
+} // End namespace Foam
+
+// * * * * * * * * * * * * * * * Construction  * * * * * * * * * * * * * * * //
+
+Foam::autoPtr<Foam::cghs::reactionScheme>
+Foam::cghs::reactions::readScheme(const fvMesh& mesh)
+{
+    const IOdictionary dict(constantDictionary(mesh, "reactions"));
+
+    // A liquid has no thermophysics of its solutes
+    return autoPtr<reactionScheme>
+    (
+        new reactionScheme
+        (
+            dict,
+            dict.found("species")
+          ? dict
+          : constantDictionary(mesh, "thermophysicalProperties"),
+            false
+        )
+    );
+}
+
+
+Foam::cghs::reactions::reactions(const dictionary& dict, const fvMesh& mesh)
+:
+    mesh_(mesh),
+    coeffs_(dict),
+    scheme_(readScheme(mesh)),
+    cell_(scheme_(), readTolerances(dict)),
+    massTransfer_(dict.getOrDefault<scalar>("massTransfer", GREAT)),
+    gained_(),
+    isGas_(true),
+    amounts_(mesh.nCells()*nFluid(), 0),
+    T_(mesh.nCells(), 0),
+    p_(mesh.nCells(), 0),
+    volume_(mesh.nCells(), 0),
+    meets_(false),
+    deltaT_(1),
+    given_(mesh.nCells()*nFluid(), 0),
+    in_(mesh.nCells(), 0),
+    out_(mesh.nCells(), 0),
+    momentum_(mesh.nCells(), Zero),
+    extents_(nReactions() + scheme_->inFluid().size(), 0),
+    gain_(0),
+    steps_(0),
+    meanY_(nSolids(), 0),
+    mass_(-1),
+    fed_(0),
+    left_(0),
+    defect_(0),
+    checked_(false),
+    growth_(-1)
+{
+    warnUnknownEntries
+    (
+        dict,
+        wordList({"relative", "absolute", "massTransfer", "T"})
+    );
+
+    for (const word& name : scheme_->solids().names())
+    {
+        Y_.append(new propertyOf<scalar>("Y." + name));
+        Y_.last().allow(0, 1).readFrom("Y." + name);
+    }
+    scheme_->report(Info);
+}
+
+
+void Foam::cghs::reactions::checkCase(const dictionary& properties) const
+{
+    const dictionary& solution = properties.subDict("solution");
+    const wordList transported
+    (
+        solution.getOrDefault("transported", wordList())
+    );
+
+    if (solution.get<word>("coupling") != "twoWay")
+    {
+        FatalIOErrorInFunction(solution)
+            << "Entry coupling is " << solution.get<word>("coupling")
+            << ", but exchanges has reactions, which change the fluid" << nl
+            << "Write coupling twoWay, or take reactions out of exchanges"
+            << nl << exit(FatalIOError);
+    }
+    if (!transported.found("species"))
+    {
+        FatalIOErrorInFunction(solution)
+            << "Entry transported is " << flatOutput(transported)
+            << ", but exchanges has reactions, which need the fluid's species"
+            << nl << "Write transported (species), or take reactions out of"
+            << " exchanges" << nl
+            << exit(FatalIOError);
+    }
+    if (transported.found("energy"))
+    {
+        FatalIOErrorInFunction(solution)
+            << "Entry transported is " << flatOutput(transported)
+            << ", but reactions do not heat yet: they take temperatures as"
+            << " they are" << nl
+            << "Write transported (species)" << nl
+            << exit(FatalIOError);
+    }
+
+    const auto checkSum = [&](const dictionary& dict)
+    {
+        scalar sum = 0;
+        bool any = false;
+        for (const propertyOf<scalar>& Y : Y_)
+        {
+            any = any || dict.found(Y.name());
+            sum += dict.getOrDefault<scalar>(Y.name(), 0);
+        }
+        if (any && !(mag(sum - 1) < 1e-6))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Mass fractions of the solids sum to " << sum
+                << " but must sum to 1" << nl
+                << "Entries are Y.<solid>, with solids "
+                << flatOutput(scheme_->solids().names()) << nl
+                << exit(FatalIOError);
+        }
+    };
+    checkSum(properties.subOrEmptyDict("constantProperties"));
+    for (const entry& e : properties.subOrEmptyDict("feeding"))
+    {
+        if (e.isDict())
+        {
+            checkSum(e.dict());
+        }
+    }
+}
+
+
+void Foam::cghs::reactions::addColumns(arena& parcels)
+{
+    for (propertyOf<scalar>& Y : Y_)
+    {
+        parcels.add(Y);
+    }
+    parcels.add(gained_);
+    parcels.keep(*this);
+}
+
+// * * * * * * * * * * * * * * * * The step  * * * * * * * * * * * * * * * * //
+
+void Foam::cghs::reactions::meet(const arena& parcels, carrierFluid& fluid)
+{
+    meets_ = true;
+    isGas_ = fluid.composition();
+
+    const scalarField& alpha = fluid.alpha();
+    const scalarField& rho = fluid.rho();
+
+    volume_ = alpha*mesh_.V();
+    p_ = isGas_ ? fluid.p().primitiveField() : scalarField(p_.size(), 0);
+    T_ =
+        isGas_
+      ? fluid.field("T").primitiveField()
+      : scalarField(T_.size(), coeffs_.get<scalar>("T"));
+
+    forAll(scheme_->fluid(), k)
+    {
+        const substance& s = scheme_->fluid()[k];
+        const scalarField& Y = fluid.field(s.name());
+        const label n = nFluid();
+        forAll(Y, celli)
+        {
+            amounts_[celli*n + k] =
+                max(Y[celli], scalar(0))*rho[celli]*volume_[celli]/s.M();
+        }
+    }
+}
+
+
+void Foam::cghs::reactions::checkSums(const arena& parcels)
+{
+    for (label i = 0; i < parcels.size(); ++i)
+    {
+        scalar sum = 0;
+        for (const propertyOf<scalar>& Y : Y_)
+        {
+            sum += Y[i];
+        }
+        if (!(mag(sum - 1) < 1e-5))
+        {
+            FatalErrorInFunction
+                << "Mass fractions of the solids of parcel " << parcels.ids[i]
+                << " sum to " << sum << " but must sum to 1" << nl
+                << "Give Y.<solid> in constantProperties, or fields of these"
+                << " names with the parcels; solids are "
+                << flatOutput(scheme_->solids().names()) << nl
+                << exit(FatalError);
+        }
+    }
+    checked_ = true;
+}
+
+
+Foam::scalarField
+Foam::cghs::reactions::bodiesOf(const arena& parcels) const
+{
+    const label width = bodyWidth();
+    scalarField bodies(width*parcels.size());
+
+    for (label i = 0; i < parcels.size(); ++i)
+    {
+        scalar* b = &bodies[width*i];
+        const scalar m = parcels.motions[i].mass();
+
+        b[0] = parcels.weights[i];
+        b[1] = parcels.diameters[i];
+        forAll(Y_, s)
+        {
+            b[2 + s] = m*Y_[s][i]/scheme_->solids()[s].M();
+        }
+    }
+    return bodies;
+}
+
+
+void Foam::cghs::reactions::react
+(
+    const label celli,
+    const UList<label>& which,
+    scalarField& bodies,
+    const scalar deltaT
+)
+{
+    const label n = nFluid();
+    const label width = bodyWidth();
+    const SubList<scalar> fluid(amounts_, n, celli*n);
+
+    cell_.start(fluid, T_[celli], p_[celli], volume_[celli]);
+    for (const label i : which)
+    {
+        const scalar* b = &bodies[width*i];
+        reactingCell::body body;
+        body.W = b[0];
+        body.d = b[1];
+        body.T = T_[celli];
+        body.conductance = 0;
+        body.film = massTransfer_;
+        cell_.add(body, SubList<scalar>(bodies, nSolids(), width*i + 2));
+    }
+
+    // The whole step is tried first, so that nothing has to be remembered
+    scalar h = deltaT;
+    if (!cell_.react(deltaT, h))
+    {
+        FatalErrorInFunction
+            << "The reactions in cell " << celli << " at "
+            << mesh_.C()[celli] << " could not be integrated over "
+            << deltaT << " s: " << cell_.steps() << " steps, "
+            << cell_.refusals() << " refused" << nl
+            << "Its fluid has " << fluid << " mol of "
+            << flatOutput(scheme_->fluid().names()) << " at " << T_[celli]
+            << " K. Look at the rates' units" << nl
+            << exit(FatalError);
+    }
+    steps_ = max(steps_, cell_.steps());
+
+    forAll(which, j)
+    {
+        scalar* b = &bodies[width*which[j] + 2];
+        const SubList<scalar> amounts(cell_.amounts(j));
+        std::copy(amounts.begin(), amounts.end(), b);
+
+        for (label r = 0; r < nReactions(); ++r)
+        {
+            extents_[r] += cell_.extent(j, r);
+        }
+    }
+    forAll(scheme_->inFluid(), r)
+    {
+        extents_[nReactions() + r] += cell_.fluidExtent(r);
+    }
+    for (label k = 0; k < n; ++k)
+    {
+        given_[celli*n + k] =
+            (cell_.fluidState()[k] - fluid[k])*scheme_->fluid()[k].M();
+    }
+}
+
+
+void Foam::cghs::reactions::evolve(arena& parcels, const scalar deltaT)
+{
+    growth_ = -1;
+    extents_ = 0;
+    gain_ = 0;
+    steps_ = 0;
+    given_ = 0;
+    deltaT_ = max(deltaT, VSMALL);
+
+    if (!checked_)
+    {
+        checkSums(parcels);
+    }
+    if (!meets_)
+    {
+        return;
+    }
+
+    addProfiling(reactions, "cghs::reactions");
+
+    // Parcels that are in cells of this rank, and visitors behind them
+    scalarField bodies(bodiesOf(parcels));
+    const scalarField guests(parcels.visiting.toHosts(bodies, bodyWidth()));
+    const label nOwn = parcels.size();
+    bodies.append(guests);
+
+    labelList cells(SubList<label>(parcels.cells, nOwn));
+    if (parcels.visiting.any())
+    {
+        const UList<label>& places = parcels.places();
+        forAll(cells, i)
+        {
+            cells[i] = places[i] < mesh_.nCells() ? places[i] : -1;
+        }
+        cells.append(parcels.visiting.hostedCells());
+    }
+
+    labelList order;
+    const labelList starts(sortByCell(cells, mesh_.nCells(), order));
+    const bool always = scheme_->inFluid().size();
+
+    for (label celli = 0; celli < mesh_.nCells(); ++celli)
+    {
+        const label n = starts[celli + 1] - starts[celli];
+        if (n || always)
+        {
+            react
+            (
+                celli,
+                SubList<label>(order, n, starts[celli]),
+                bodies,
+                deltaT
+            );
+        }
+    }
+
+    parcels.visiting.fromHosts
+    (
+        SubList<scalar>(bodies, guests.size(), nOwn*bodyWidth()),
+        bodyWidth(),
+        bodies
+    );
+    update(parcels, bodies);
+    gather(parcels);
+}
+
+
+void Foam::cghs::reactions::update
+(
+    arena& parcels,
+    const scalarField& bodies
+)
+{
+    const label width = bodyWidth();
+    const substances& solids = scheme_->solids();
+    growth_ = 0;
+
+    for (label i = 0; i < parcels.size(); ++i)
+    {
+        const scalar* n = &bodies[width*i + 2];
+        scalar m = 0;
+        scalar V = 0;
+        forAll(solids, s)
+        {
+            const scalar ms = n[s]*solids[s].M();
+            m += ms;
+            V += scheme_->constantDensity() ? ms/solids[s].rho() : 0;
+        }
+        forAll(solids, s)
+        {
+            Y_[s][i] = n[s]*solids[s].M()/max(m, VSMALL);
+        }
+
+        gained_[i] = m - parcels.motions[i].mass();
+        gain_ += gained_[i];
+
+        const scalar W = parcels.weights[i];
+        const scalar before = parcels.spheres[i].r;
+        const scalar d =
+            scheme_->constantDensity()
+          ? cbrt(6*V/(W*constant::mathematical::pi))
+          : parcels.diameters[i];
+
+        parcels.setSize
+        (
+            i, d, W, m/(W*constant::mathematical::pi/6*pow3(d))
+        );
+        growth_ = max(growth_, parcels.spheres[i].r - before);
+    }
+    reduce(growth_, maxOp<scalar>());
+}
+
+
+void Foam::cghs::reactions::gather(const arena& parcels)
+{
+    in_ = 0;
+    out_ = 0;
+    momentum_ = Zero;
+    parcels.visiting.extend(in_);
+    parcels.visiting.extend(out_);
+    parcels.visiting.extend(momentum_);
+
+    const UList<label>& places = parcels.places();
+    for (label i = 0; i < parcels.size(); ++i)
+    {
+        const scalar lost = max(-gained_[i], scalar(0));
+        in_[places[i]] += lost;
+        out_[places[i]] += max(gained_[i], scalar(0));
+        momentum_[places[i]] += lost*parcels.motions[i].v;
+    }
+
+    parcels.visiting.collect(in_);
+    parcels.visiting.collect(out_);
+    parcels.visiting.collect(momentum_);
+}
+
+
+Foam::tmp<Foam::volScalarField> Foam::cghs::reactions::rate
+(
+    const word& name,
+    const scalarField& sums
+) const
+{
+    auto result = volScalarField::New
+    (
+        "reactions:" + name,
+        mesh_,
+        dimensionedScalar(dimDensity/dimTime, Zero)
+    );
+
+    result.ref().primitiveFieldRef() = sums/(mesh_.V()*deltaT_);
+
+    return result;
+}
+
+
+Foam::cghs::exchangeTerms
+Foam::cghs::reactions::terms(const word& quantity) const
+{
+    exchangeTerms terms;
+    const label k = scheme_->fluid().find(quantity);
+
+    if (k >= 0)
+    {
+        scalarField sums(mesh_.nCells());
+        forAll(sums, celli)
+        {
+            sums[celli] = given_[celli*nFluid() + k];
+        }
+        terms.given = rate(quantity, sums);
+    }
+
+    return terms;
+}
+
+
+Foam::cghs::massTerms Foam::cghs::reactions::massGiven() const
+{
+    massTerms terms;
+
+    terms.in = rate("in", in_);
+    terms.out = rate("out", out_);
+
+    terms.momentum = volVectorField::New
+    (
+        "reactions:momentum",
+        mesh_,
+        dimensionedVector(dimDensity*dimVelocity/dimTime, Zero)
+    );
+    terms.momentum.ref().primitiveFieldRef() =
+        momentum_/(mesh_.V()*deltaT_);
+
+    return terms;
+}
+
+
+void Foam::cghs::reactions::complete
+(
+    arena& parcels,
+    const carrierFluid& fluid,
+    const scalar deltaT
+)
+{
+    vectorField U(fluid.U().primitiveField() + fluid.dU()().primitiveField());
+    parcels.visiting.fetch(U);
+    const UList<label>& places = parcels.places();
+
+    for (label i = 0; i < parcels.size(); ++i)
+    {
+        if (gained_[i] > 0)
+        {
+            vector& v = parcels.motions[i].v;
+            v += (U[places[i]] - v)*gained_[i]/parcels.motions[i].mass();
+        }
+    }
+
+    close(parcels, deltaT);
+}
+
+
+void Foam::cghs::reactions::close(const arena& parcels, const scalar deltaT)
+{
+    scalar mass = 0;
+    meanY_ = 0;
+    for (label i = 0; i < parcels.size(); ++i)
+    {
+        const scalar m = parcels.motions[i].mass();
+        mass += m;
+        forAll(Y_, s)
+        {
+            meanY_[s] += m*Y_[s][i];
+        }
+    }
+    reduce(mass, sumOp<scalar>());
+    reduce(meanY_, sumOp<scalarField>());
+    meanY_ /= max(mass, VSMALL);
+
+    reduce(extents_, sumOp<scalarField>());
+    reduce(gain_, sumOp<scalar>());
+    reduce(steps_, maxOp<label>());
+    fed_ = returnReduce(carriedIn(), sumOp<scalar>());
+    left_ = returnReduce(carriedOut(), sumOp<scalar>());
+    clear();
+
+    defect_ = mass_ < 0 ? 0 : mass - mass_ - gain_ - fed_ + left_;
+    mass_ = mass;
+}
+
+// * * * * * * * * * * * * * * * * Reports * * * * * * * * * * * * * * * * * //
+
+Foam::List<Foam::cghs::figure> Foam::cghs::reactions::figures() const
+{
+    DynamicList<figure> list;
+
+    forAll(scheme_->inParticles(), r)
+    {
+        list.append
+        ({
+            scheme_->inParticles()[r].name(), extents_[r]/deltaT_
+        });
+    }
+    forAll(scheme_->inFluid(), r)
+    {
+        list.append
+        ({
+            scheme_->inFluid()[r].name(),
+            extents_[nReactions() + r]/deltaT_
+        });
+    }
+    list.append({"gained", gain_/deltaT_});
+    list.append({"fed", fed_/deltaT_});
+    list.append({"left", -left_/deltaT_});
+    forAll(Y_, s)
+    {
+        list.append({Y_[s].name(), meanY_[s]});
+    }
+    list.append({"steps", scalar(steps_)});
+
+    return List<figure>(std::move(list));
+}
+
+
+void Foam::cghs::reactions::report(const arena& parcels, Ostream& os) const
+{
+    os  << "reactions:";
+    for (const figure& f : figures())
+    {
+        os  << ' ' << f.name << ' ' << f.value;
+    }
+    os  << nl << "        parcels " << max(mass_, scalar(0)) << " kg, from"
+        << " nowhere " << defect_ << " kg" << nl;
+}
+
+
+void Foam::cghs::reactions::state(dictionary& state) const
+{
+    state.add("comingIn", returnReduce(carriedIn(), sumOp<scalar>()));
+    state.add("goingOut", returnReduce(carriedOut(), sumOp<scalar>()));
+}
+
+
+void Foam::cghs::reactions::setState(const dictionary& state)
+{
+    if (Pstream::master())
+    {
+        clear
+        (
+            state.getOrDefault<scalar>("comingIn", 0),
+            state.getOrDefault<scalar>("goingOut", 0)
+        );
+    }
+}
