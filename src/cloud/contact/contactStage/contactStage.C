@@ -178,16 +178,47 @@ inline void Foam::cghs::contactStage::appendIfMeeting
 }
 
 
+bool Foam::cghs::contactStage::apart
+(
+    const arena& parcels,
+    const label i,
+    const label j
+) const
+{
+    const UList<sphere>& spheres = parcels.spheres;
+
+    return walls_.between(i, spheres[i].x, spheres[j].x);
+}
+
+
 inline bool Foam::cghs::contactStage::near
 (
     const sphere& a,
     const sphere& b,
+    const scalar gapByRadius,
     const scalar horizon
-) const
+)
 {
-    const scalar gap = max(2*margin_*min(a.r, b.r), horizon);
+    const scalar gap = max(gapByRadius*min(a.r, b.r), horizon);
 
     return magSqr(b.x - a.x) < sqr(a.r + b.r + gap);
+}
+
+
+inline Foam::label Foam::cghs::contactStage::pairSurface
+(
+    const arena& parcels,
+    const label i,
+    const label j
+)
+{
+    return contact::surfaceOf
+    (
+        contact::parcelParcel,
+        parcels.materialOf(i),
+        parcels.materialOf(j),
+        parcels.nMaterials()
+    );
 }
 
 
@@ -242,23 +273,6 @@ void Foam::cghs::contactStage::setSurface(contact& c, const arena& parcels)
 }
 
 
-Foam::label Foam::cghs::contactStage::pairSurface
-(
-    const arena& parcels,
-    const label i,
-    const label j
-)
-{
-    return contact::surfaceOf
-    (
-        contact::parcelParcel,
-        parcels.materialOf(i),
-        parcels.materialOf(j),
-        parcels.nMaterials()
-    );
-}
-
-
 void Foam::cghs::contactStage::noteApproaches(const arena& parcels)
 {
     if (!needs_.approaches)
@@ -285,19 +299,15 @@ void Foam::cghs::contactStage::noteApproaches(const arena& parcels)
 }
 
 
-void Foam::cghs::contactStage::findContacts
+void Foam::cghs::contactStage::findAtWalls
 (
-    arena& parcels,
-    const scalar deltaT
+    const arena& parcels,
+    const scalar deltaT,
+    const scalar horizon
 )
 {
-    contacts_.turnOver(remember_);
-    ranks_.clearContacts(remember_);
-
-    const scalar horizon = this->horizon(deltaT);
     const UList<sphere>& spheres = parcels.spheres;
 
-    // Slots: walls by parcel, then pairs, then pairs with guests
     walls_.touch
     (
         spheres,
@@ -320,14 +330,30 @@ void Foam::cghs::contactStage::findContacts
             }
         }
     );
+}
 
+
+void Foam::cghs::contactStage::findPairs
+(
+    const arena& parcels,
+    const scalar deltaT,
+    const scalar horizon
+)
+{
+    const sphere* const spheres = parcels.spheres.cdata();
+    const scalar gapByRadius = 2*margin_;
+    const bool thin = walls_.anyThin();
     label slot = parcels.size();
 
     search_.forOwnPairs
     (
         [&](const label i, const label j)
         {
-            if (near(spheres[i], spheres[j], horizon) && !apart(parcels, i, j))
+            if
+            (
+                near(spheres[i], spheres[j], gapByRadius, horizon)
+             && !(thin && apart(parcels, i, j))
+            )
             {
                 appendPair(parcels, i, j, j, slot, deltaT, contacts_);
             }
@@ -342,8 +368,8 @@ void Foam::cghs::contactStage::findContacts
 
         if
         (
-            near(spheres[i], spheres[guest], horizon)
-         && !apart(parcels, i, guest)
+            near(spheres[i], spheres[guest], gapByRadius, horizon)
+         && !(thin && apart(parcels, i, guest))
         )
         {
             appendPair
@@ -359,6 +385,22 @@ void Foam::cghs::contactStage::findContacts
         }
         ++slot;
     }
+}
+
+
+void Foam::cghs::contactStage::findContacts
+(
+    const arena& parcels,
+    const scalar deltaT
+)
+{
+    contacts_.turnOver(remember_);
+    ranks_.clearContacts(remember_);
+
+    // By rising slot: walls by parcel, then pairs, then pairs with guests
+    const scalar horizon = this->horizon(deltaT);
+    findAtWalls(parcels, deltaT, horizon);
+    findPairs(parcels, deltaT, horizon);
 
     model_->tally().nContacts =
         contacts_.now.contacts.size() + ranks_.nContacts();
@@ -372,6 +414,7 @@ void Foam::cghs::contactStage::findNeighbours(const arena& parcels)
         return;
     }
 
+    const bool thin = walls_.anyThin();
     const UList<sphere>& spheres = parcels.spheres;
 
     forLogs([](contactLists& log) { log.near.clear(); });
@@ -399,7 +442,7 @@ void Foam::cghs::contactStage::findNeighbours(const arena& parcels)
         if
         (
             magSqr(d) < sqr((1 + needs_.layer)*radii)
-         && !apart(parcels, i, j)
+         && !(thin && apart(parcels, i, j))
         )
         {
             log.near.contacts.append

@@ -152,10 +152,11 @@ inline void Foam::cghs::suspension::accelerate
 (
     arena& parcels,
     const label i,
-    const scalar time
-)
+    const scalar time,
+    const carrier& c,
+    vector& impulse
+) const
 {
-    const carrier& c = carrierOf(parcels, i);
     motion& m = parcels.motions[i];
 
     const scalar K = rates_[i];
@@ -164,7 +165,33 @@ inline void Foam::cghs::suspension::accelerate
 
     m.v = (m.v + time*(K*u + field))/(1 + time*K);
 
-    addImpulse(parcels, i, (time*K/m.invMass)*(u - m.v));
+    impulse += (time*K/m.invMass)*(u - m.v);
+}
+
+
+void Foam::cghs::suspension::accelerate
+(
+    arena& parcels,
+    const label from,
+    const label n,
+    const scalar time
+)
+{
+    if (kernels_)
+    {
+        for (label i = from; i < from + n; ++i)
+        {
+            accelerate(parcels, i, time, met_[i], taken_[i]);
+        }
+        return;
+    }
+
+    const UList<label>& places = parcels.places();
+
+    for (label i = from; i < from + n; ++i)
+    {
+        accelerate(parcels, i, time, fluid_[places[i]], impulse_[places[i]]);
+    }
 }
 
 
@@ -217,11 +244,11 @@ bool Foam::cghs::suspension::kick(arena& parcels, const scalar halfDeltaT)
         const label n = min(blockSize_, nOwn - from);
 
         findRates(parcels, from, n);
+        accelerate(parcels, from, n, halfDeltaT);
 
-        for (label i = from; i < from + n; ++i)
+        if (holds_)
         {
-            accelerate(parcels, i, halfDeltaT);
-            fastest = max(fastest, rates_[i]);
+            fastest = max(fastest, max(SubList<scalar>(rates_, n, from)));
         }
     }
 
@@ -266,6 +293,12 @@ bool Foam::cghs::suspension::kickAgain
     const scalar halfDeltaT
 )
 {
+    if (!burdened_)
+    {
+        accelerate(parcels, 0, parcels.size(), halfDeltaT);
+        return false;
+    }
+
     for (label i = 0; i < parcels.size(); ++i)
     {
         const scalar s = halfDeltaT*rates_[i];
@@ -273,16 +306,16 @@ bool Foam::cghs::suspension::kickAgain
         if (holds(s))
         {
             unburden(parcels, i, s, earlyShare(s));
-            accelerate(parcels, i, halfDeltaT);
+            accelerate(parcels, i, 1, halfDeltaT);
             burden(parcels, i, 0, lateShare(s));
         }
         else
         {
-            accelerate(parcels, i, halfDeltaT);
+            accelerate(parcels, i, 1, halfDeltaT);
         }
     }
 
-    return burdened_;
+    return true;
 }
 
 

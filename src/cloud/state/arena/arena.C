@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "arena.H"
-#include "mathematicalConstants.H"
 #include "error.H"
 
 #include <cmath>
@@ -207,25 +206,6 @@ void Foam::cghs::arena::setSize
     weights[i] = W;
     spheres[i].r = radiusOf(d, W);
     motions[i].invMass = 1/(rho*volume(i));
-}
-
-
-Foam::scalar Foam::cghs::arena::volume(const label i) const
-{
-    return 4.0/3.0*constant::mathematical::pi*pow3(spheres[i].r);
-}
-
-
-Foam::scalar Foam::cghs::arena::displaced(const label i) const
-{
-    if (!fading_)
-    {
-        return volume(i);
-    }
-
-    const scalar s = presences[i];
-
-    return sqr(s)*(3 - 2*s)*volume(i);
 }
 
 
