@@ -16,26 +16,7 @@ namespace cghs
     defineTypeNameAndDebug(sharedWeights, 0);
 
 
-//- Smallest limiters of several fields: of all, and of those that mind
-struct limiters
-{
-    surfaceScalarField all;
-    surfaceScalarField minded;
-
-    explicit limiters(const fvMesh& mesh)
-    :
-        all
-        (
-            IOobject("limiter", mesh.time().timeName(), mesh),
-            mesh,
-            dimensionedScalar("largest", dimless, GREAT)
-        ),
-        minded("mindedLimiter", all)
-    {}
-};
-
-
-//- Whom does it matter what is chosen? Those that change across the face
+//- Where it matters what is chosen: where the field changes across the face
 static void lower
 (
     scalarField& limiter,
@@ -70,7 +51,7 @@ static scalarField jumpWithin(const volScalarField& field)
 
 static void lower
 (
-    limiters& least,
+    surfaceScalarField& limiter,
     const volScalarField& field,
     const surfaceScalarField& own
 )
@@ -78,10 +59,9 @@ static void lower
     const scalar rounding =
         1e-12*max(scalar(1), gMax(mag(field.primitiveField())()));
 
-    least.all = min(least.all, own);
     lower
     (
-        least.minded.primitiveFieldRef(),
+        limiter.primitiveFieldRef(),
         own.primitiveField(),
         jumpWithin(field),
         rounding
@@ -95,7 +75,7 @@ static void lower
 
             lower
             (
-                least.minded.boundaryFieldRef()[patchi],
+                limiter.boundaryFieldRef()[patchi],
                 own.boundaryField()[patchi],
                 values.patchNeighbourField() - values.patchInternalField(),
                 rounding
@@ -207,18 +187,20 @@ Foam::tmp<Foam::surfaceScalarField> Foam::cghs::sharedWeights::ofFields
         limitedScheme(flux, schemeName)
     );
 
-    limiters least(mesh);
+    surfaceScalarField limiter
+    (
+        IOobject("limiter", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar("largest", dimless, GREAT)
+    );
 
     for (const volScalarField* field : fields)
     {
-        lower(least, *field, scheme().limiter(*field)());
+        lower(limiter, *field, scheme().limiter(*field)());
     }
 
-    const surfaceScalarField nobody(pos0(least.minded - 0.5*GREAT));
-    const surfaceScalarField limiter
-    (
-        nobody*least.all + (scalar(1) - nobody)*least.minded
-    );
+    // Upwind where nobody was asked
+    limiter *= neg(limiter - 0.5*GREAT);
 
     tmp<surfaceScalarField> weights
     (
