@@ -152,8 +152,8 @@ Foam::cghs::gas::gas
 
     if (psiChanges())
     {
-        // psi follows T and composition before the next pressure does. The density is the
-        // state between steps, and its mass is kept
+        // psi follows T and composition before the next pressure does. The
+        // density is the state between steps, and its mass is kept
         psiOfRho_.reset(new volScalarField("psiOfRho", rho_/p_));
         psiOfRho_->oldTime();
     }

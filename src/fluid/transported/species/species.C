@@ -153,7 +153,6 @@ void Foam::cghs::species::checkGiven
         return;
     }
 
-    scalar misfit = 0;
     scalar scale = 0;
     scalarField sum(Y_[0].size(), Zero);
 
@@ -164,7 +163,11 @@ void Foam::cghs::species::checkGiven
             sum += terms[k].given().primitiveField();
             scale += gSumMag(terms[k].given().primitiveField());
         }
-        if (terms[k].responds() && gMax(terms[k].response().primitiveField()) > 0)
+        if
+        (
+            terms[k].responds()
+         && gMax(terms[k].response().primitiveField()) > 0
+        )
         {
             FatalErrorInFunction
                 << "Parcels respond to " << names_[k] << " in a gas: its"
@@ -181,7 +184,7 @@ void Foam::cghs::species::checkGiven
         scale += gSumMag(flow.given().primitiveField());
     }
 
-    misfit = gSumMag(sum);
+    const scalar misfit = gSumMag(sum);
 
     if (misfit > 1e-9*scale)
     {
