@@ -9,6 +9,8 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "arrowIntegrator.H"
+#include "denseArrow.H"
+#include "ODESolver.H"
 #include "sampler.H"
 #include "scalarField.H"
 #include "claim.H"
@@ -479,6 +481,73 @@ TEST_CASE("Memory that is kept holds nothing of the cell before", "[reaction]")
     }
 
     same.settle();
+}
+
+
+TEST_CASE("Stiff reactions by OpenFOAM's own solvers", "[reaction]")
+{
+    // Of a step. Errors of the steps add up: the whole may miss by three
+    const tolerances asked = {1e-5, 1e-9};
+
+    const auto check = [&]
+    (
+        claim& same,
+        const char* solver,
+        const label n,
+        const scalar t
+    )
+    {
+        // Each body a decade or two faster than the one before, to 1e12
+        manyBodies system(n, asked);
+        sampler random(7);
+        forAll(system.k, i)
+        {
+            system.k[i] = std::pow(10, 12.0*i/(n - 1));
+            system.r[i] = system.k[i]*random.between(0.1, 0.5);
+            system.a[i] = random.between(0.5, 1.5);
+            system.c[i] = random.between(0, 0.5);
+        }
+        system.q = 3;
+        const scalarField start(List<scalar>({0.3, 0.1}));
+
+        scalarField z(start);
+        auto integrator = arrowIntegrator::New(system.nExtents());
+        scalar h = 1e-3*t;
+        REQUIRE(integrator->integrate(system, z, t, h));
+
+        const denseArrow dense(system, start);
+        dictionary dict;
+        dict.add("solver", word(solver));
+        dict.add("absTol", 1e-9);
+        dict.add("relTol", 1e-9);
+        const autoPtr<ODESolver> other(ODESolver::New(dense, dict));
+        scalarField y(dense.nEqns(), 0);
+        scalar dt = 1e-13;
+        other->solve(0, t, y, dt);
+
+        const scalarField zOther(dense.shared(y));
+        const scalarField dz(z - zOther);
+        same.see(system.sharedError(z.cdata(), dz.cdata()));
+        forAll(system.k, i)
+        {
+            const scalar* x = integrator->extents(i);
+            const scalar dx[] = {x[0] - y[2*i], x[1] - y[2*i + 1]};
+            same.see(system.error(i, x, dx));
+        }
+    };
+
+    claim seulex("arrowIntegrator.seulex", 3);
+    claim rodas("arrowIntegrator.rodas34", 3);
+    for (const label n : {2, 7, 13})
+    {
+        for (const scalar t : {1e-11, 1e-6, 1e-2, 1.0})
+        {
+            check(seulex, "seulex", n, t);
+            check(rodas, "rodas34", n, t);
+        }
+    }
+    seulex.settle();
+    rodas.settle();
 }
 
 } // End namespace cghs
