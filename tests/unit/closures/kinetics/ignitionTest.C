@@ -88,7 +88,7 @@ bool ignites(const scalar Ta, const scalar power, const scalar k)
         cell.add({1, 1, T0, k/n, 0, 0}, scalarField(1, 1e12));
     }
 
-    // Near the limit it takes 4.4/sqrt(by how much it is beyond) of C/k. Below it
+    // Near the limit it takes 4.4/sqrt(by how much it is beyond) C/k. Below it
     // T ends at T0 (1 + T0/Ta) or colder
     scalar h = 1e-3*C/k;
     for (label slice = 0; slice < 3000; ++slice)
