@@ -465,21 +465,29 @@ void Foam::cghs::reactions::update
             Y_[s][i] = n[s]*solids[s].M()/max(m, VSMALL);
         }
 
-        gained_[i] = m - parcels.motions[i].mass();
+        // Who has nothing left would have no density
+        const scalar before = parcels.motions[i].mass();
+        m = max(m, 1e-12*before);
+
+        gained_[i] = m - before;
         gain_ += gained_[i];
 
         const scalar W = parcels.weights[i];
-        const scalar before = parcels.spheres[i].r;
+        const scalar r = parcels.spheres[i].r;
         const scalar d =
             scheme_->constantDensity()
-          ? cbrt(6*V/(W*constant::mathematical::pi))
+          ? max
+            (
+                cbrt(6*V/(W*constant::mathematical::pi)),
+                1e-4*parcels.diameters[i]
+            )
           : parcels.diameters[i];
 
         parcels.setSize
         (
             i, d, W, m/(W*constant::mathematical::pi/6*pow3(d))
         );
-        growth_ = max(growth_, parcels.spheres[i].r - before);
+        growth_ = max(growth_, parcels.spheres[i].r - r);
     }
     reduce(growth_, maxOp<scalar>());
 }
