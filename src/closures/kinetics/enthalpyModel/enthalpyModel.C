@@ -12,6 +12,7 @@
 #include "hPolynomialThermo.H"
 #include "janafThermo.H"
 #include "MinMax.H"
+#include <type_traits>
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -20,6 +21,20 @@ namespace cghs
 {
     defineTypeNameAndDebug(enthalpyModel, 0);
     defineRunTimeSelectionTable(enthalpyModel, dictionary);
+
+
+// A heat capacity that is a constant
+template<class Thermo>
+struct hasConstantCp
+:
+    std::false_type
+{};
+
+template<class State>
+struct hasConstantCp<hConstThermo<State>>
+:
+    std::true_type
+{};
 
 
 // What OpenFOAM has. An ideal gas, as enthalpies do not depend on pressure
@@ -60,6 +75,8 @@ public:
     {
         return thermo_.Cp(p_, range_.clip(T));
     }
+
+    virtual bool straight() const { return hasConstantCp<Thermo>::value; }
 };
 
 

@@ -75,7 +75,11 @@ Foam::cghs::reactingCell::reactingCell
     dcdz_(nFluid_*(nFluid_ + nEnergies_), 0),
     massGain_(nReactions_, 0),
     volumeGain_(nReactions_, 0),
+    solidGain_(nSolids_*nReactions_, 0),
+    carriers_(nReactions_),
     n_(nSolids_, 0),
+    looked_(-1),
+    lookedX_(nReactions_ + nEnergies_, 0),
     h_(nSolids_, 0),
     dTdx_(nReactions_ + nEnergies_, 0)
 {
@@ -87,6 +91,10 @@ Foam::cghs::reactingCell::reactingCell
         const scalarField& gain =
             scheme.inParticles()[r].equation().solidGain();
 
+        forAll(gain, s)
+        {
+            solidGain_[s*nReactions_ + r] = gain[s];
+        }
         massGain_[r] = massOf(gain);
         if (scheme.constantDensity())
         {
@@ -98,6 +106,32 @@ Foam::cghs::reactingCell::reactingCell
     {
         // The fluid has less of the enthalpy that a parcel gets
         G_.last() = -1;
+        findCarriers();
+    }
+}
+
+
+void Foam::cghs::reactingCell::findCarriers()
+{
+    for (label r = 0; r < nReactions_; ++r)
+    {
+        const reaction& reaction = scheme_.inParticles()[r];
+        const reactionEquation& equation = reaction.equation();
+
+        for (label k = 0; k < nFluid_; ++k)
+        {
+            const carrier c =
+            {
+                k,
+                equation.fluidReactants()[k],
+                equation.fluidProducts()[k]
+              - reaction.heatToFluid()*equation.fluidGain()[k]
+            };
+            if (c.in != 0 || c.out != 0)
+            {
+                carriers_[r].append(c);
+            }
+        }
     }
 }
 
@@ -110,6 +144,7 @@ void Foam::cghs::reactingCell::start
     const scalar volume
 )
 {
+    looked_ = -1;
     bodies_.clear();
     amounts_.clear();
     enthalpy_.clear();
@@ -195,6 +230,7 @@ bool Foam::cghs::reactingCell::react(const scalar deltaT, scalar& h)
             enthalpy_[i] += x[nReactions_];
         }
     }
+    looked_ = -1;
     return true;
 }
 
@@ -208,6 +244,19 @@ Foam::scalar Foam::cghs::reactingCell::temperatureOf
     const scalar guess
 )
 {
+    if (list.straight())
+    {
+        scalar missing = H;
+        scalar C = 0;
+        forAll(list, k)
+        {
+            missing -= n[k]*list[k].h(0);
+            C += n[k]*list[k].Cp(0);
+        }
+        return
+            C > VSMALL ? min(max(missing/C, coldest), hottest) : guess;
+    }
+
     scalar T = guess;
     for (label pass = 0; pass < 50; ++pass)
     {
@@ -237,13 +286,20 @@ Foam::scalar Foam::cghs::reactingCell::temperatureOf
 
 void Foam::cghs::reactingCell::look(const label i, const scalar* x) const
 {
+    if (i == looked_ && std::equal(lookedX_.begin(), lookedX_.end(), x))
+    {
+        return;
+    }
+    looked_ = i;
+    std::copy(x, x + lookedX_.size(), lookedX_.begin());
+
     for (label s = 0; s < nSolids_; ++s)
     {
+        const scalar* gain = solidGain_.cdata() + s*nReactions_;
         n_[s] = amounts_[i*nSolids_ + s];
         for (label r = 0; r < nReactions_; ++r)
         {
-            n_[s] +=
-                scheme_.inParticles()[r].equation().solidGain()[s]*x[r];
+            n_[s] += gain[r]*x[r];
         }
     }
 
@@ -467,8 +523,7 @@ void Foam::cghs::reactingCell::addDerivative
             for (label q = 0; q < nReactions_; ++q)
             {
                 fx[q] +=
-                    slope/bodies_[i].W
-                   *scheme_.inParticles()[q].equation().solidGain()[a.index];
+                    slope/bodies_[i].W*solidGain_[a.index*nReactions_ + q];
             }
             break;
         }
@@ -550,42 +605,30 @@ Foam::scalar Foam::cghs::reactingCell::rate
 
 Foam::scalar Foam::cghs::reactingCell::enthalpyTaken
 (
-    const reaction& r,
+    const label r,
     const scalar T,
     scalar& byT,
     scalar& byFluidT
 ) const
 {
-    const reactionEquation& equation = r.equation();
     const substances& fluid = scheme_.fluid();
-    const scalar share = r.heatToFluid();
+    const scalar share = scheme_.inParticles()[r].heatToFluid();
 
     scalar q = 0;
     byT = 0;
     byFluidT = 0;
-    forAll(fluid, k)
+    for (const carrier& c : carriers_[r])
     {
-        const scalar in = equation.fluidReactants()[k];
-        if (in > 0)
-        {
-            q += in*fluidH_[k];
-            byFluidT += in*fluidCp_[k];
-        }
-
-        const scalar out =
-            equation.fluidProducts()[k] - share*equation.fluidGain()[k];
-        if (out != 0)
-        {
-            q -= out*fluid[k].h(T);
-            byT -= out*fluid[k].Cp(T);
-        }
+        q += c.in*fluidH_[c.k] - c.out*fluid[c.k].h(T);
+        byT -= c.out*fluid[c.k].Cp(T);
+        byFluidT += c.in*fluidCp_[c.k];
     }
     if (share > 0)
     {
         const substances& solids = scheme_.solids();
         forAll(solids, s)
         {
-            const scalar gain = share*equation.solidGain()[s];
+            const scalar gain = share*solidGain_[s*nReactions_ + r];
             q += gain*solids[s].h(T);
             byT += gain*solids[s].Cp(T);
         }
@@ -611,7 +654,7 @@ void Foam::cghs::reactingCell::rates
         if (nEnergies_)
         {
             scalar byT, byFluidT;
-            power += f[r]*enthalpyTaken(reaction, T_[i], byT, byFluidT);
+            power += f[r]*enthalpyTaken(r, T_[i], byT, byFluidT);
         }
     }
     if (nEnergies_)
@@ -637,14 +680,12 @@ void Foam::cghs::reactingCell::findSlopes(const label i)
     }
     for (label q = 0; q < nReactions_; ++q)
     {
-        const scalarField& gain =
-            scheme_.inParticles()[q].equation().solidGain();
-
-        dTdx_[q] = 0;
-        forAll(gain, s)
+        scalar taken = 0;
+        forAll(h_, s)
         {
-            dTdx_[q] -= gain[s]*h_[s]/C;
+            taken += solidGain_[s*nReactions_ + q]*h_[s];
         }
+        dTdx_[q] = -taken/C;
     }
     dTdx_[nReactions_] = 1/C;
 }
@@ -694,7 +735,7 @@ void Foam::cghs::reactingCell::derivatives
             scalar qByT, qByFluidT;
             const scalar q = enthalpyTaken
             (
-                scheme_.inParticles()[r], T_[i], qByT, qByFluidT
+                r, T_[i], qByT, qByFluidT
             );
             f[nReactions_] += f[r]*q;
             byT += f[r]*qByT;
@@ -778,7 +819,7 @@ Foam::scalar Foam::cghs::reactingCell::error
         scalar dn = 0;
         for (label r = 0; r < nReactions_; ++r)
         {
-            dn += scheme_.inParticles()[r].equation().solidGain()[s]*dx[r];
+            dn += solidGain_[s*nReactions_ + r]*dx[r];
         }
         worst = max
         (

@@ -17,7 +17,10 @@ Foam::cghs::substance::substance
 :
     name_(name),
     M_(0),
-    rho_(dict.subOrEmptyDict("equationOfState").getOrDefault<scalar>("rho", 0))
+    rho_(dict.subOrEmptyDict("equationOfState").getOrDefault<scalar>("rho", 0)),
+    straight_(false),
+    h0_(0),
+    Cp_(0)
 {
     const atomicWeightTable weights;
 
@@ -74,5 +77,14 @@ Foam::cghs::substance::substance
             whole.set("specie", weight);
         }
         enthalpy_ = enthalpyModel::New(thermo, whole);
+
+        // Of a line any two places tell all
+        straight_ = enthalpy_->straight();
+        if (straight_)
+        {
+            const scalar T = 300;
+            Cp_ = M_*enthalpy_->Cp(T);
+            h0_ = M_*enthalpy_->h(T) - Cp_*T;
+        }
     }
 }

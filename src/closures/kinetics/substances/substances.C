@@ -28,5 +28,6 @@ Foam::cghs::substances::substances
                 << exit(FatalIOError);
         }
         set(i, new substance(names[i], dict.subDict(names[i]), thermo));
+        straight_ = straight_ && operator[](i).straight();
     }
 }
