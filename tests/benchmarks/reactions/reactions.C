@@ -78,7 +78,12 @@ public:
     //- The step to begin with
     scalar h;
 
-    bedCell(const reactionScheme& scheme, const label n, const scalar conductance)
+    bedCell
+    (
+        const reactionScheme& scheme,
+        const label n,
+        const scalar conductance
+    )
     :
         scheme_(scheme),
         gas_(),

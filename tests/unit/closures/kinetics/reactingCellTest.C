@@ -14,6 +14,7 @@ Description
 #include "sampler.H"
 #include "claim.H"
 #include "mathematicalConstants.H"
+#include "Polynomial.H"
 
 #include <catch2/catch.hpp>
 
@@ -287,6 +288,69 @@ TEST_CASE("Elements, mass and enthalpy close at any step", "[reaction]")
     enthalpy.settle();
     positive.settle();
     bounded.settle();
+}
+
+
+TEST_CASE("Enthalpies as polynomials that are straight lines", "[reaction]")
+{
+    claim same("reactingCell.polynomials", 1e-9);
+
+    // The same heat capacities, by which temperatures are searched for
+    dictionary reactions(dictionaryOf(regeneratorReactions));
+    dictionary gas(dictionaryOf(regeneratorGas));
+    const auto bend = [](dictionary& substance)
+    {
+        dictionary& thermo = substance.subDict("thermodynamics");
+        scalarList coefficients(8, scalar(0));
+        coefficients[0] = thermo.get<scalar>("Cp");
+        thermo.set("CpCoeffs<8>", Polynomial<8>(coefficients));
+        thermo.set("Sf", 0);
+
+        // Here at 298.15 K; hConst of v1912 has it at 0 K
+        const scalar Hf = thermo.get<scalar>("Hf");
+        thermo.remove("Hf");
+        thermo.add("Hf", Hf + 298.15*coefficients[0]);  // all its digits
+    };
+    for (const word& name : wordList({"C", "H", "catalyst"}))
+    {
+        bend(reactions.subDict("solids").subDict(name));
+    }
+    for (const word& name : gas.get<wordList>("species"))
+    {
+        bend(gas.subDict(name));
+    }
+    reactions.set("solidThermo", word("hPolynomial"));
+    gas.subDict("thermoType").set("thermo", word("hPolynomial"));
+
+    const autoPtr<reactionScheme> straight(burning());
+    const reactionScheme polynomial(reactions, gas, true);
+    REQUIRE(straight->fluid().straight());
+    REQUIRE(!polynomial.fluid().straight());
+
+    reactingCell one(straight(), usual);
+    reactingCell other(polynomial, usual);
+    for (reactingCell* cell : {&one, &other})
+    {
+        cell->start(flueGas(), 890, 1.4*bar);
+        addCatalyst(*cell, 7, 1);
+        scalar h = 1e-3;
+        for (label i = 0; i < 3; ++i)
+        {
+            REQUIRE(cell->react(0.1, h));
+        }
+    }
+
+    same.see(mag(one.fluidTemperature()/other.fluidTemperature() - 1));
+    for (label i = 0; i < one.nBodies(); ++i)
+    {
+        same.see(mag(one.temperature(i)/other.temperature(i) - 1));
+        forAll(one.amounts(i), s)
+        {
+            same.see(mag(one.amounts(i)[s]/other.amounts(i)[s] - 1));
+        }
+    }
+
+    same.settle();
 }
 
 
