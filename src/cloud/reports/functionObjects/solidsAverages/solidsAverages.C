@@ -292,10 +292,14 @@ void Foam::cghs::solidsAverages::resumeProperties()
 }
 
 
-void Foam::cghs::solidsAverages::addProperties(cellSums& sums) const
+void Foam::cghs::solidsAverages::addProperties
+(
+    const UList<scalar>& V,
+    cellSums& sums
+) const
 {
     const arena& parcels = this->parcels();
-    const scalarField& V = mesh_.V();
+    const UList<label>& places = parcels.places();
 
     forAll(properties_, k)
     {
@@ -303,12 +307,12 @@ void Foam::cghs::solidsAverages::addProperties(cellSums& sums) const
 
         for (label i = 0; i < parcels.size(); ++i)
         {
-            const label celli = parcels.cells[i];
+            const label placei = places[i];
             const scalar content =
-                parcels.motions[i].mass()/V[celli]*values[i];
+                parcels.motions[i].mass()/V[placei]*values[i];
 
-            sums.content[k][celli] += content;
-            sums.square[k][celli] += content*values[i];
+            sums.content[k][placei] += content;
+            sums.square[k][placei] += content*values[i];
         }
     }
 }
@@ -501,22 +505,28 @@ void Foam::cghs::solidsAverages::writeWindow() const
 Foam::cghs::cellSums Foam::cghs::solidsAverages::instant() const
 {
     const arena& parcels = this->parcels();
-    const scalarField& V = mesh_.V();
+    const UList<label>& places = parcels.places();
 
+    scalarField V(mesh_.V());
     cellSums s(mesh_.nCells(), properties_.size());
+
+    parcels.visiting.fetch(V);
+    s.extend(parcels.visiting);
 
     for (label i = 0; i < parcels.size(); ++i)
     {
-        const label celli = parcels.cells[i];
+        const label placei = places[i];
         const vector& v = parcels.motions[i].v;
-        const scalar density = parcels.motions[i].mass()/V[celli];
+        const scalar density = parcels.motions[i].mass()/V[placei];
 
-        s.fraction[celli] += parcels.volume(i)/V[celli];
-        s.density[celli] += density;
-        s.flux[celli] += density*v;
-        s.stress[celli] += density*sqr(v);
+        s.fraction[placei] += parcels.volume(i)/V[placei];
+        s.density[placei] += density;
+        s.flux[placei] += density*v;
+        s.stress[placei] += density*sqr(v);
     }
-    addProperties(s);
+    addProperties(V, s);
+
+    s.collect(parcels.visiting);
 
     return s;
 }

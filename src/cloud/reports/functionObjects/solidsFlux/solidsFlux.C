@@ -37,21 +37,30 @@ Foam::cghs::solidsFlux::solidsFlux
 bool Foam::cghs::solidsFlux::execute()
 {
     const arena& parcels = this->parcels();
+    const UList<label>& places = parcels.places();
 
-    vectorField& j = flux_.primitiveFieldRef();
-    scalarField& phi = fraction_.primitiveFieldRef();
+    scalarField V(mesh_.V());
+    vectorField j(mesh_.nCells(), Zero);
+    scalarField phi(mesh_.nCells(), Zero);
 
-    j = Zero;
-    phi = Zero;
+    parcels.visiting.fetch(V);
+    parcels.visiting.extend(j);
+    parcels.visiting.extend(phi);
 
     for (label i = 0; i < parcels.size(); ++i)
     {
-        const label celli = parcels.cells[i];
-        const scalar share = parcels.volume(i)/mesh_.V()[celli];
+        const label placei = places[i];
+        const scalar share = parcels.volume(i)/V[placei];
 
-        j[celli] += share*parcels.motions[i].v;
-        phi[celli] += share;
+        j[placei] += share*parcels.motions[i].v;
+        phi[placei] += share;
     }
+
+    parcels.visiting.collect(j);
+    parcels.visiting.collect(phi);
+
+    flux_.primitiveFieldRef() = j;
+    fraction_.primitiveFieldRef() = phi;
 
     flux_.correctBoundaryConditions();
     fraction_.correctBoundaryConditions();

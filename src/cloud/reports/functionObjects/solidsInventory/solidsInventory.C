@@ -192,6 +192,27 @@ Foam::scalarField Foam::cghs::solidsInventory::flownSoFar() const
 }
 
 
+Foam::scalar Foam::cghs::solidsInventory::massIn(const boolList& cells) const
+{
+    const arena& parcels = this->parcels();
+    const UList<label>& places = parcels.places();
+
+    boolList inside(cells);
+    parcels.visiting.fetch(inside);
+
+    scalar sum = 0;
+    for (label i = 0; i < parcels.size(); ++i)
+    {
+        if (inside[places[i]])
+        {
+            sum += parcels.motions[i].mass();
+        }
+    }
+
+    return sum;
+}
+
+
 bool Foam::cghs::solidsInventory::execute()
 {
     const arena& parcels = this->parcels();
@@ -202,16 +223,11 @@ bool Foam::cghs::solidsInventory::execute()
 
     for (label i = 0; i < parcels.size(); ++i)
     {
-        const scalar mass = parcels.motions[i].mass();
-        now[0] += mass;
-
-        forAll(inZone_, z)
-        {
-            if (inZone_[z][parcels.cells[i]])
-            {
-                now[1 + z] += mass;
-            }
-        }
+        now[0] += parcels.motions[i].mass();
+    }
+    forAll(inZone_, z)
+    {
+        now[1 + z] = massIn(inZone_[z]);
     }
 
     const scalarField flown(flownSoFar());

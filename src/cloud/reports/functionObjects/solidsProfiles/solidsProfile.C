@@ -173,9 +173,14 @@ void Foam::cghs::solidsProfile::sum
     SubList<scalar>& sums
 ) const
 {
+    const UList<label>& places = parcels.places();
+
+    labelList binAt(binOf_);
+    parcels.visiting.fetch(binAt);
+
     for (label i = 0; i < parcels.size(); ++i)
     {
-        const label bin = binOf_[parcels.cells[i]];
+        const label bin = binAt[places[i]];
 
         if (bin >= 0)
         {
