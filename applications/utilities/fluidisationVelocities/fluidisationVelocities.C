@@ -261,17 +261,17 @@ static void tellRange
     const scalar Re
 )
 {
-    const dragRange range = c.law->range();
+    const flowRange range(c.law->range());
 
-    if (e < range.minVoidage)
+    if (e < range.voidage.min())
     {
         Info<< c.name << ": " << symbol << " is at voidage " << e
-            << ", the law is made for " << range.minVoidage << " to 1" << nl;
+            << ", the law is made for " << range.voidage.min() << " to 1" << nl;
     }
-    if (Re > range.maxRe)
+    if (Re > range.Re.max())
     {
         Info<< c.name << ": " << symbol << " is at Re " << Re
-            << ", the law is made for up to " << range.maxRe << nl;
+            << ", the law is made for up to " << range.Re.max() << nl;
     }
 }
 

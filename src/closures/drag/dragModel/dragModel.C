@@ -6,9 +6,6 @@
 #include "dragModel.H"
 #include "knownEntries.H"
 #include "selectModel.H"
-#include "vector2D.H"
-#include "Pstream.H"
-#include "PstreamReduceOps.H"
 
 namespace Foam
 {
@@ -65,46 +62,12 @@ void Foam::cghs::dragModel::note(const UList<slipFlow>& flows) const
 {
     for (const slipFlow& f : flows)
     {
-        lowestVoidage_ = min(lowestVoidage_, f.e);
-        highestRe_ = max(highestRe_, superficialRe(f));
+        asked_.note(f.e, superficialRe(f));
     }
 }
 
 
 bool Foam::cghs::dragModel::warnOutsideRange() const
 {
-    const dragRange limits = range();
-    const vector2D extremes
-    (
-        returnReduce
-        (
-            vector2D(-lowestVoidage_, highestRe_),
-            maxOp<vector2D>()
-        )
-    );
-    const scalar e = -extremes.x();
-    const scalar Re = extremes.y();
-
-    const bool tellVoidage = !warnedOfVoidage_ && e < limits.minVoidage;
-    const bool tellRe = !warnedOfRe_ && Re > limits.maxRe;
-
-    if (tellVoidage)
-    {
-        WarningInFunction
-            << "Drag law " << type() << " was asked at voidage " << e
-            << " but is made for " << limits.minVoidage << " to 1." << nl
-            << "    It is extrapolated; this is said once" << nl << endl;
-    }
-    if (tellRe)
-    {
-        WarningInFunction
-            << "Drag law " << type() << " was asked at Re " << Re
-            << " but is made for Re up to " << limits.maxRe << '.' << nl
-            << "    It is extrapolated; this is said once" << nl << endl;
-    }
-
-    warnedOfVoidage_ = warnedOfVoidage_ || tellVoidage;
-    warnedOfRe_ = warnedOfRe_ || tellRe;
-
-    return tellVoidage || tellRe;
+    return asked_.warn("Drag law " + type(), range());
 }

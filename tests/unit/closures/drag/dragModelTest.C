@@ -72,18 +72,18 @@ TEST_CASE("Beyond its range a law warns once for each limit", "[drag]")
     for (const word& name : lawsWithDrag())
     {
         const autoPtr<dragModel> law(dragLawOf(name));
-        const dragRange range = law->range();
+        const flowRange range(law->range());
 
-        ask(*law, max(range.minVoidage, scalar(0.05)), 0.99*range.maxRe);
+        ask(*law, max(range.voidage.min(), scalar(0.05)), 0.99*range.Re.max());
         once.count(!law->warnOutsideRange());
 
-        ask(*law, 0.9, 1.01*range.maxRe);
+        ask(*law, 0.9, 1.01*range.Re.max());
         once.count(law->warnOutsideRange());
         once.count(!law->warnOutsideRange());
 
-        if (range.minVoidage > 0)
+        if (range.voidage.min() > 0)
         {
-            ask(*law, 0.99*range.minVoidage, 2*range.maxRe);
+            ask(*law, 0.99*range.voidage.min(), 2*range.Re.max());
             once.count(law->warnOutsideRange());
             once.count(!law->warnOutsideRange());
         }

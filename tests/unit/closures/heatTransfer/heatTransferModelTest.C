@@ -152,7 +152,7 @@ TEST_CASE("Beyond its range a law of convection warns once", "[heat]")
 
     for (const word law : {"Gunn", "RanzMarshall", "Wakao"})
     {
-        const heatTransferRange range(heatLawOf(law)->range());
+        const flowRange range(heatLawOf(law)->range());
         const scalarMinMax& e = range.voidage;
         const scalarMinMax& Re = range.Re;
 
