@@ -11,7 +11,7 @@
 #         sys.path.append(os.environ["PROJECT_DIR"] + "/tests/lib")
 #         import cghsTest as of
 #
-#         U = of.cloudField(".", of.times(".")[-1], "cghsCloud", "U")
+#         U = of.cloud_field(".", of.times(".")[-1], "cghsCloud", "U")
 #         of.result("restSpeed", abs(U).max(), 1e-6)
 # ------------------------------------------------------------------------------
 """Reading OpenFOAM's ASCII files with numpy."""

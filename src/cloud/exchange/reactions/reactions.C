@@ -299,9 +299,10 @@ Foam::cghs::reactions::bodiesOf(const arena& parcels) const
 
         b[0] = parcels.weights[i];
         b[1] = parcels.diameters[i];
+        b[2] = 0;
         forAll(Y_, s)
         {
-            b[2 + s] = m*Y_[s][i]/scheme_->solids()[s].M();
+            b[3 + s] = m*Y_[s][i]/scheme_->solids()[s].M();
         }
     }
     return bodies;
@@ -330,7 +331,7 @@ void Foam::cghs::reactions::react
         body.T = T_[celli];
         body.conductance = 0;
         body.film = massTransfer_;
-        cell_.add(body, SubList<scalar>(bodies, nSolids(), width*i + 2));
+        cell_.add(body, SubList<scalar>(bodies, nSolids(), width*i + 3));
     }
 
     // The whole step is tried first, so that nothing has to be remembered
@@ -349,26 +350,48 @@ void Foam::cghs::reactions::react
     }
     steps_ = max(steps_, cell_.steps());
 
+    // By extents, not by differences of what there is, which is much more: so
+    // all that is given adds up
+    SubList<scalar> given(given_, n, celli*n);
+
     forAll(which, j)
     {
         scalar* b = &bodies[width*which[j] + 2];
         const SubList<scalar> amounts(cell_.amounts(j));
-        std::copy(amounts.begin(), amounts.end(), b);
+        std::copy(amounts.begin(), amounts.end(), b + 1);
 
         for (label r = 0; r < nReactions(); ++r)
         {
-            extents_[r] += cell_.extent(j, r);
+            const scalar x = cell_.extent(j, r);
+            *b -= addGiven(scheme_->inParticles()[r], x, given);
+            extents_[r] += x;
         }
     }
     forAll(scheme_->inFluid(), r)
     {
-        extents_[nReactions() + r] += cell_.fluidExtent(r);
+        const scalar x = cell_.fluidExtent(r);
+        addGiven(scheme_->inFluid()[r], x, given);
+        extents_[nReactions() + r] += x;
     }
-    for (label k = 0; k < n; ++k)
+}
+
+
+Foam::scalar Foam::cghs::reactions::addGiven
+(
+    const reaction& r,
+    const scalar extent,
+    UList<scalar>& given
+) const
+{
+    const scalarField& gain = r.equation().fluidGain();
+    scalar all = 0;
+    forAll(gain, k)
     {
-        given_[celli*n + k] =
-            (cell_.fluidState()[k] - fluid[k])*scheme_->fluid()[k].M();
+        const scalar mass = gain[k]*extent*scheme_->fluid()[k].M();
+        given[k] += mass;
+        all += mass;
     }
+    return all;
 }
 
 
@@ -451,7 +474,7 @@ void Foam::cghs::reactions::update
 
     for (label i = 0; i < parcels.size(); ++i)
     {
-        const scalar* n = &bodies[width*i + 2];
+        const scalar* n = &bodies[width*i + 3];
         scalar m = 0;
         scalar V = 0;
         forAll(solids, s)
@@ -466,10 +489,9 @@ void Foam::cghs::reactions::update
         }
 
         // Who has nothing left would have no density
-        const scalar before = parcels.motions[i].mass();
-        m = max(m, 1e-12*before);
+        m = max(m, 1e-12*parcels.motions[i].mass());
 
-        gained_[i] = m - before;
+        gained_[i] = bodies[width*i + 2];
         gain_ += gained_[i];
 
         const scalar W = parcels.weights[i];
