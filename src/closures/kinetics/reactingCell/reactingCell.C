@@ -19,6 +19,10 @@ namespace cghs
 static const scalar coldest = 1;
 static const scalar hottest = 2e4;
 
+// An amount that counts as none [mol, mol/m^3]: rates may fall from all to
+// nothing within it, and even squares of that slope are numbers
+static const scalar nothing = 1e-30;
+
 // What amounts may be below zero by rounding, over all of them
 static const scalar rounding = 1e-13;
 
@@ -60,6 +64,7 @@ Foam::cghs::reactingCell::reactingCell
     now_(nullptr),
     fluidT_(0),
     total_(0),
+    startTotal_(0),
     dTdz_(nFluid_ + nEnergies_, 0),
     tolerances_(tolerated),
     nSolids_(scheme.solids().size()),
@@ -154,9 +159,11 @@ void Foam::cghs::reactingCell::start
     volume_ = volume;
     fluidT_ = T;
 
+    startTotal_ = 0;
     forAll(amounts, k)
     {
         z_[k] = amounts[k];
+        startTotal_ += amounts[k];
     }
     if (nEnergies_)
     {
@@ -360,11 +367,14 @@ void Foam::cghs::reactingCell::share(const scalar* z)
 {
     const label nShared = nFluid_ + nEnergies_;
     now_ = z;
-    total_ = VSMALL;
+    total_ = 0;
     for (label k = 0; k < nFluid_; ++k)
     {
         total_ += z[k];
     }
+
+    // What a step tries may be anything
+    total_ = max(total_, 1e-12*startTotal_ + nothing);
 
     if (nEnergies_)
     {
@@ -441,10 +451,32 @@ Foam::scalar Foam::cghs::reactingCell::limit
     );
     const scalar small =
         r.vanishing()
-       *(fluid ? total_/fluidVolume() : bodies_[i].amount) + VSMALL;
+       *(fluid ? total_/fluidVolume() : bodies_[i].amount) + nothing;
 
-    derivative = small/sqr(n + small);
-    return n/(n + small);
+    // Squares of what is so small may be no numbers
+    const scalar sum = n + small;
+    derivative = small/sum/sum;
+    return n/sum;
+}
+
+
+Foam::scalar Foam::cghs::reactingCell::lasting
+(
+    const reaction& r,
+    scalar& derivative
+) const
+{
+    derivative = 0;
+    if (!isGas() || !r.takesFluid())
+    {
+        return 1;
+    }
+
+    // A gas of nothing else is as dense to its end
+    const scalar small = r.vanishing()*startTotal_ + nothing;
+    const scalar sum = max(total_, scalar(0)) + small;
+    derivative = small/sum/sum;
+    return max(total_, scalar(0))/sum;
 }
 
 
@@ -461,7 +493,8 @@ Foam::scalar Foam::cghs::reactingCell::rate
         x[a] = argument(arguments[a], i);
     }
 
-    scalar result = r.law().rate(x);
+    scalar ignored;
+    scalar result = r.law().rate(x)*lasting(r, ignored);
     for (const rateArgument& reactant : r.limits())
     {
         scalar derivative;
@@ -573,14 +606,19 @@ Foam::scalar Foam::cghs::reactingCell::rate
     const scalar free = r.law().rate(x, dx);
 
     const UList<rateArgument>& limits = r.limits();
-    scalar all = 1;
+    scalar byTotal;
+    const scalar lasts = lasting(r, byTotal);
+    scalar all = lasts;
+    byTotal *= times*free;
     forAll(limits, l)
     {
         scalar slope;
-        all *= limit(r, limits[l], i, slope);
+        const scalar one = limit(r, limits[l], i, slope);
+        all *= one;
+        byTotal *= one;
 
         // The others as they are
-        slope *= times*free;
+        slope *= times*free*lasts;
         forAll(limits, m)
         {
             scalar ignored;
@@ -598,6 +636,13 @@ Foam::scalar Foam::cghs::reactingCell::rate
     forAll(arguments, a)
     {
         addDerivative(arguments[a], times*all*dx[a], i, fx, fz);
+    }
+    if (byTotal != 0)
+    {
+        for (label k = 0; k < nFluid_; ++k)
+        {
+            fz[k] += byTotal;
+        }
     }
     return times*free*all;
 }
@@ -846,11 +891,7 @@ Foam::scalar Foam::cghs::reactingCell::sharedError
 ) const
 {
     const substances& fluid = scheme_.fluid();
-    scalar total = VSMALL;
-    for (label k = 0; k < nFluid_; ++k)
-    {
-        total += z[k];
-    }
+    const scalar least = tolerances_.absolute*startTotal_ + nothing;
 
     scalar T = fluidT_;
     scalar dH = 0;
@@ -868,7 +909,7 @@ Foam::scalar Foam::cghs::reactingCell::sharedError
         (
             worst,
             mag(dz[k])
-           /(tolerances_.absolute*total + tolerances_.relative*mag(z[k]))
+           /(least + tolerances_.relative*mag(z[k]))
         );
         if (nEnergies_)
         {
@@ -894,11 +935,9 @@ bool Foam::cghs::reactingCell::allows(const label i, const scalar* x) const
 
 bool Foam::cghs::reactingCell::allowsShared(const scalar* z) const
 {
-    scalar total = VSMALL;
     scalar least = 0;
     for (label k = 0; k < nFluid_; ++k)
     {
-        total += z[k];
         least = min(least, z[k]);
     }
 
@@ -911,5 +950,5 @@ bool Foam::cghs::reactingCell::allowsShared(const scalar* z) const
             return false;
         }
     }
-    return least >= -rounding*total;
+    return least >= -rounding*startTotal_;
 }

@@ -19,7 +19,8 @@ Foam::cghs::reaction::reaction
     equation_(dict, fluid, solids),
     law_(kineticLaw::New(dict, equation_)),
     heatToFluid_(dict.getOrDefault<scalar>("heatToFluid", 0)),
-    vanishing_(dict.getOrDefault<scalar>("vanishing", 1e-6))
+    vanishing_(dict.getOrDefault<scalar>("vanishing", 1e-6)),
+    takesFluid_(sum(equation_.fluidGain()) < 0)
 {
     checkRange(dict, "heatToFluid", heatToFluid_, scalar(0), scalar(1));
     checkPositive(dict, "vanishing", vanishing_);

@@ -117,7 +117,12 @@ Foam::cghs::reactions::reactions(const dictionary& dict, const fvMesh& mesh)
     coeffs_(dict),
     scheme_(readScheme(mesh)),
     cell_(scheme_(), readTolerances(dict)),
-    massTransfer_(dict.getOrDefault<scalar>("massTransfer", GREAT)),
+    massTransfer_
+    (
+        dict.found("massTransfer")
+      ? positiveScalar(dict, "massTransfer")
+      : GREAT
+    ),
     gained_(),
     isGas_(true),
     amounts_(mesh.nCells()*nFluid(), 0),
@@ -138,7 +143,6 @@ Foam::cghs::reactions::reactions(const dictionary& dict, const fvMesh& mesh)
     fed_(0),
     left_(0),
     defect_(0),
-    checked_(false),
     growth_(-1)
 {
     warnUnknownEntries
@@ -282,7 +286,6 @@ void Foam::cghs::reactions::checkSums(const arena& parcels)
                 << exit(FatalError);
         }
     }
-    checked_ = true;
 }
 
 
@@ -309,6 +312,34 @@ Foam::cghs::reactions::bodiesOf(const arena& parcels) const
 }
 
 
+bool Foam::cghs::reactions::isSpent(const scalar* body) const
+{
+    scalar m = 0;
+    forAll(scheme_->solids(), s)
+    {
+        m += body[3 + s]*scheme_->solids()[s].M();
+    }
+    return m < leastMass_*body[0];
+}
+
+
+void Foam::cghs::reactions::startBalance(const arena& parcels)
+{
+    if (mass_ >= 0)
+    {
+        return;
+    }
+
+    // Before anything came in or went out in this step
+    scalar mass = carriedOut() - carriedIn();
+    for (label i = 0; i < parcels.size(); ++i)
+    {
+        mass += parcels.motions[i].mass();
+    }
+    mass_ = max(returnReduce(mass, sumOp<scalar>()), scalar(0));
+}
+
+
 void Foam::cghs::reactions::react
 (
     const label celli,
@@ -321,10 +352,18 @@ void Foam::cghs::reactions::react
     const label width = bodyWidth();
     const SubList<scalar> fluid(amounts_, n, celli*n);
 
+    DynamicList<label> reacting(which.size());
+
     cell_.start(fluid, T_[celli], p_[celli], volume_[celli]);
     for (const label i : which)
     {
         const scalar* b = &bodies[width*i];
+        if (isSpent(b))
+        {
+            continue;
+        }
+        reacting.append(i);
+
         reactingCell::body body;
         body.W = b[0];
         body.d = b[1];
@@ -354,9 +393,9 @@ void Foam::cghs::reactions::react
     // all that is given adds up
     SubList<scalar> given(given_, n, celli*n);
 
-    forAll(which, j)
+    forAll(reacting, j)
     {
-        scalar* b = &bodies[width*which[j] + 2];
+        scalar* b = &bodies[width*reacting[j] + 2];
         const SubList<scalar> amounts(cell_.amounts(j));
         std::copy(amounts.begin(), amounts.end(), b + 1);
 
@@ -402,16 +441,20 @@ void Foam::cghs::reactions::evolve(arena& parcels, const scalar deltaT)
     gain_ = 0;
     steps_ = 0;
     given_ = 0;
+    in_ = 0;
+    out_ = 0;
+    momentum_ = Zero;
     deltaT_ = max(deltaT, VSMALL);
 
-    if (!checked_)
-    {
-        checkSums(parcels);
-    }
     if (!meets_)
     {
         return;
     }
+
+    // The fluid is met anew in each step that there are parcels
+    meets_ = false;
+    checkSums(parcels);
+    startBalance(parcels);
 
     addProfiling(reactions, "cghs::reactions");
 
@@ -475,6 +518,14 @@ void Foam::cghs::reactions::update
     for (label i = 0; i < parcels.size(); ++i)
     {
         const scalar* n = &bodies[width*i + 3];
+        gained_[i] = bodies[width*i + 2];
+        gain_ += gained_[i];
+        const bool spent = isSpent(&bodies[width*i]);
+        if (spent && gained_[i] == 0)
+        {
+            continue;
+        }
+
         scalar m = 0;
         scalar V = 0;
         forAll(solids, s)
@@ -483,26 +534,22 @@ void Foam::cghs::reactions::update
             m += ms;
             V += scheme_->constantDensity() ? ms/solids[s].rho() : 0;
         }
+        const scalar W = parcels.weights[i];
+        if (spent)
+        {
+            // The last of it has the composition and density of before
+            m = max(m, 1e-3*leastMass_*W);
+            V = m/parcels.density(i);
+        }
         forAll(solids, s)
         {
-            Y_[s][i] = n[s]*solids[s].M()/max(m, VSMALL);
+            Y_[s][i] = spent ? Y_[s][i] : n[s]*solids[s].M()/m;
         }
 
-        // Who has nothing left would have no density
-        m = max(m, 1e-12*parcels.motions[i].mass());
-
-        gained_[i] = bodies[width*i + 2];
-        gain_ += gained_[i];
-
-        const scalar W = parcels.weights[i];
         const scalar r = parcels.spheres[i].r;
         const scalar d =
             scheme_->constantDensity()
-          ? max
-            (
-                cbrt(6*V/(W*constant::mathematical::pi)),
-                1e-4*parcels.diameters[i]
-            )
+          ? cbrt(6*V/(W*constant::mathematical::pi))
           : parcels.diameters[i];
 
         parcels.setSize
@@ -517,9 +564,6 @@ void Foam::cghs::reactions::update
 
 void Foam::cghs::reactions::gather(const arena& parcels)
 {
-    in_ = 0;
-    out_ = 0;
-    momentum_ = Zero;
     parcels.visiting.extend(in_);
     parcels.visiting.extend(out_);
     parcels.visiting.extend(momentum_);
@@ -646,7 +690,7 @@ void Foam::cghs::reactions::close(const arena& parcels, const scalar deltaT)
     left_ = returnReduce(carriedOut(), sumOp<scalar>());
     clear();
 
-    defect_ = mass_ < 0 ? 0 : mass - mass_ - gain_ - fed_ + left_;
+    defect_ = mass - mass_ - gain_ - fed_ + left_;
     mass_ = mass;
 }
 

@@ -461,6 +461,88 @@ TEST_CASE("A particle that turns at a constant rate", "[reaction]")
 }
 
 
+TEST_CASE("What is used up entirely", "[reaction]")
+{
+    claim ends("reactingCell.usedUp", 0);
+    claim left("reactingCell.usedUp.left", 1e-5);
+    claim closes("reactingCell.usedUp.closes", 1e-13);
+
+    // A gas of nothing else goes into a solid; from a liquid without solutes
+    const auto solved = [&]
+    (
+        const char* text,
+        const scalarField& fluid,
+        const scalar p
+    )
+    {
+        const reactionScheme scheme
+        (
+            dictionaryOf(text),
+            dictionaryOf("species (A); A { specie { molWeight 32; } }"),
+            false
+        );
+        reactingCell cell(scheme, usual);
+        for (const scalar dt : {1e-3, 1.0, 1e3})
+        {
+            cell.start(fluid, 300, p, 1e-3);
+            reactingCell::body b;
+            b.W = 1e6;
+            b.d = 1e-4;
+            b.T = 300;
+            b.conductance = 0;
+            b.film = 1;
+            cell.add(b, scalarField(List<scalar>({1, 0})));
+            scalar h = dt;
+            ends.count(cell.react(dt, h));
+
+            const scalar gone = fluid[0] - cell.fluidState()[0];
+            closes.see(mag(cell.amounts(0)[1] - gone));
+            ends.count(cell.fluidState()[0] >= 0);
+            if (dt > 100)
+            {
+                left.see(cell.fluidState()[0]);
+            }
+        }
+    };
+
+    const char* taken =
+        "solids"
+        "{"
+        "    M { specie { molWeight 50; } }"
+        "    MA { specie { molWeight 82; } }"
+        "}"
+        "reactions"
+        "{"
+        "    take"
+        "    {"
+        "        equation \"M + A = MA\"; rate massAction; of moles M;"
+        "        driving bar; orders { A 1; } A 10;"
+        "    }"
+        "}";
+    solved(taken, scalarField(1, 0.1), bar);
+
+    const char* ofNothing =
+        "solids"
+        "{"
+        "    M { specie { molWeight 50; } }"
+        "    MA { specie { molWeight 82; } }"
+        "}"
+        "reactions"
+        "{"
+        "    take"
+        "    {"
+        "        equation \"M + A = MA\"; rate massAction; of moles M; A 1;"
+        "    }"
+        "}";
+    solved(ofNothing, scalarField(1, 0), 0);
+    solved(ofNothing, scalarField(1, 1e-3), 0);
+
+    ends.settle();
+    left.settle();
+    closes.settle();
+}
+
+
 TEST_CASE("Reactions that cannot be", "[reaction]")
 {
     const auto change = [](const char* name, const char* text)

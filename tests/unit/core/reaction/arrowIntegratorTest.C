@@ -397,6 +397,7 @@ TEST_CASE("All rates end, close and stay above zero", "[reaction]")
 TEST_CASE("Where forth and back are fast they end in balance", "[reaction]")
 {
     claim balanced("arrowIntegrator.balanced", 1e-4);
+    claim closes("arrowIntegrator.balanced.closes", 1e-14);
 
     for (const scalar K : {1e3, 1e6, 1e12})
     {
@@ -417,9 +418,23 @@ TEST_CASE("Where forth and back are fast they end in balance", "[reaction]")
             const scalar back = system.r[i]*system.C(i, x);
             balanced.see(mag(forth/back - 1));
         }
+
+        // Of what goes either way, not of the difference
+        scalar gross = 1;
+        forAll(system.k, i)
+        {
+            const scalar* x = integrator->extents(i);
+            gross = max(gross, x[0]);
+        }
+        closes.see
+        (
+            mag(z[0] + z[1] - 1.3)
+           /max(gross, integrator->ownExtents(system)[0])
+        );
     }
 
     balanced.settle();
+    closes.settle();
 }
 
 
