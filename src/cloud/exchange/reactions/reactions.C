@@ -285,6 +285,35 @@ void Foam::cghs::reactions::checkSums(const arena& parcels)
                 << flatOutput(scheme_->solids().names()) << nl
                 << exit(FatalError);
         }
+        if (scheme_->constantDensity())
+        {
+            checkDensity(parcels, i);
+        }
+    }
+}
+
+
+void Foam::cghs::reactions::checkDensity
+(
+    const arena& parcels,
+    const label i
+) const
+{
+    scalar volume = 0;
+    forAll(Y_, s)
+    {
+        volume += Y_[s][i]/scheme_->solids()[s].rho();
+    }
+
+    if (mag(parcels.density(i)*volume - 1) > 1e-3)
+    {
+        FatalErrorInFunction
+            << "Parcel " << parcels.ids[i] << " has a density of "
+            << parcels.density(i) << " kg/m^3, but its solids make "
+            << 1/volume << " kg/m^3" << nl
+            << "Give it that density, or correct rho of the solids in"
+            << " constant/reactions, whose size is constantDensity" << nl
+            << exit(FatalError);
     }
 }
 
