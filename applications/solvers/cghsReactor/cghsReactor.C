@@ -54,8 +54,8 @@ Usage
 #include "Time.H"
 #include "OFstream.H"
 #include "OSspecific.H"
-#include "IOdictionary.H"
 #include "checkedEntry.H"
+#include "constantDictionary.H"
 #include "drivingUnit.H"
 #include "stirredCell.H"
 #include "massFractions.H"
@@ -65,33 +65,6 @@ Usage
 
 using namespace Foam;
 using namespace Foam::cghs;
-
-
-static IOdictionary constantDictionary(const Time& runTime, const word& name)
-{
-    return IOdictionary
-    (
-        IOobject
-        (
-            name,
-            runTime.constant(),
-            runTime,
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE
-        )
-    );
-}
-
-
-static scalar massOf(const substances& list, const scalarField& n)
-{
-    scalar m = 0;
-    forAll(list, k)
-    {
-        m += n[k]*list[k].M();
-    }
-    return m;
-}
 
 
 //- Volume of an amount of the fluid [m^3]
@@ -106,23 +79,9 @@ struct fluidVolume
         return
             isGas
           ? sum(n)*molarR*T/properties.get<scalar>("p")
-          : massOf(list, n)/properties.get<scalar>("rho");
+          : list.massOf(n)/properties.get<scalar>("rho");
     }
 };
-
-
-static reactingCell::tolerances readTolerances(const dictionary& properties)
-{
-    const dictionary& dict = properties.subOrEmptyDict("tolerances");
-    const reactingCell::tolerances t =
-    {
-        dict.getOrDefault<scalar>("relative", 1e-3),
-        dict.getOrDefault<scalar>("absolute", 1e-8)
-    };
-    checkRange(dict, "relative", t.relative, scalar(1e-12), scalar(0.1));
-    checkRange(dict, "absolute", t.absolute, scalar(1e-16), scalar(0.1));
-    return t;
-}
 
 
 static autoPtr<OFstream> openTable
@@ -184,7 +143,11 @@ int main(int argc, char *argv[])
     const scalar p = isGas ? positiveScalar(properties, "p") : 0;
     const fluidVolume volumeOf = {species, properties, isGas};
 
-    stirredCell vessel(scheme, readTolerances(properties));
+    stirredCell vessel
+    (
+        scheme,
+        reactingCell::readTolerances(properties.subOrEmptyDict("tolerances"))
+    );
 
     if (properties.found("walls"))
     {
@@ -241,15 +204,6 @@ int main(int argc, char *argv[])
 
     // ---- The balance, and tables ------------------------------------------
 
-    const auto enthalpyOf = [&](const scalarField& n, const scalar T)
-    {
-        scalar H = 0;
-        forAll(n, k)
-        {
-            H += energetic ? n[k]*species[k].h(T) : 0;
-        }
-        return H;
-    };
     reactorBalance::content passed =
     {
         scalarField(species.size(), 0),
@@ -262,7 +216,8 @@ int main(int argc, char *argv[])
         {
             fluid,
             parcels.amounts(),
-            parcels.enthalpy() + enthalpyOf(fluid, fluidT)
+            parcels.enthalpy()
+          + (energetic ? species.enthalpyOf(fluid, fluidT) : scalar(0))
         }
     );
 
@@ -340,7 +295,7 @@ int main(int argc, char *argv[])
         OFstream& os = table();
         os  << runTime.value() << tab << fluidT << tab << parcels.meanT()
             << tab << parcels.mass() << tab << parcels.meanAge();
-        const scalar fluidMass = massOf(species, fluid);
+        const scalar fluidMass = species.massOf(fluid);
         forAll(species, k)
         {
             os  << tab << fluid[k]*species[k].M()/fluidMass;

@@ -85,26 +85,13 @@ void Foam::cghs::parcelInventory::append
 
 Foam::scalar Foam::cghs::parcelInventory::massOf(const parcel& p) const
 {
-    scalar m = 0;
-    forAll(solids_, s)
-    {
-        m += p.n[s]*solids_[s].M();
-    }
-    return m;
+    return solids_.massOf(p.n);
 }
 
 
 Foam::scalar Foam::cghs::parcelInventory::enthalpyOf(const parcel& p) const
 {
-    scalar H = 0;
-    if (heatTransfer_ > 0)
-    {
-        forAll(solids_, s)
-        {
-            H += p.n[s]*solids_[s].h(p.T);
-        }
-    }
-    return H;
+    return heatTransfer_ > 0 ? solids_.enthalpyOf(p.n, p.T) : 0;
 }
 
 

@@ -46,9 +46,9 @@ Foam::scalarField Foam::cghs::reactorBalance::count(const content& c) const
 
     const auto add = [&](const substances& list, const scalarField& n)
     {
+        sums[0] += list.massOf(n);
         forAll(list, k)
         {
-            sums[0] += n[k]*list[k].M();
             forAll(items_, i)
             {
                 const auto e = list[k].elements().cfind(items_[i].name);

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "fluidModel.H"
+#include "selectModel.H"
 #include "balancedWalls.H"
 #include "caseChecks.H"
 #include "fvm.H"
@@ -148,18 +149,16 @@ Foam::cghs::fluidModel::New
     {
         modelType = "gas";
     }
-    const auto constructor = cloudConstructorTablePtr_->cfind(modelType);
 
-    if (!constructor.found())
-    {
-        FatalIOErrorInFunction(solution)
-            << "Unknown " << typeName << ' ' << modelType << nl << nl
-            << "Valid choices:" << nl
-            << cloudConstructorTablePtr_->sortedToc() << nl
-            << exit(FatalIOError);
-    }
-
-    autoPtr<fluidModel> fluid(constructor()(mesh, g, parcels));
+    autoPtr<fluidModel> fluid
+    (
+        constructorNamed<fluidModel>
+        (
+            modelType,
+            solution,
+            *cloudConstructorTablePtr_
+        )(mesh, g, parcels)
+    );
 
     fluid->transported_.make(solution, fluid());
     fluid->options_ = &fv::options::New(mesh);

@@ -29,95 +29,27 @@ Description
 namespace Foam
 {
 
-makeReactionThermos
-(
-    psiThermo,
-    psiReactionThermo,
-    hePsiThermo,
-    multiComponentMixture,
-    constTransport,
-    sensibleInternalEnergy,
-    hConstThermo,
-    perfectGas,
-    specie
-);
+#define makeGas(Transport, Energy, Thermo)                                     \
+                                                                               \
+    makeReactionThermos                                                        \
+    (                                                                          \
+        psiThermo,                                                             \
+        psiReactionThermo,                                                     \
+        hePsiThermo,                                                           \
+        multiComponentMixture,                                                 \
+        Transport,                                                             \
+        Energy,                                                                \
+        Thermo,                                                                \
+        perfectGas,                                                            \
+        specie                                                                 \
+    )
 
-makeReactionThermos
-(
-    psiThermo,
-    psiReactionThermo,
-    hePsiThermo,
-    multiComponentMixture,
-    sutherlandTransport,
-    sensibleEnthalpy,
-    hConstThermo,
-    perfectGas,
-    specie
-);
-
-makeReactionThermos
-(
-    psiThermo,
-    psiReactionThermo,
-    hePsiThermo,
-    multiComponentMixture,
-    sutherlandTransport,
-    sensibleInternalEnergy,
-    hConstThermo,
-    perfectGas,
-    specie
-);
-
-makeReactionThermos
-(
-    psiThermo,
-    psiReactionThermo,
-    hePsiThermo,
-    multiComponentMixture,
-    constTransport,
-    sensibleEnthalpy,
-    janafThermo,
-    perfectGas,
-    specie
-);
-
-makeReactionThermos
-(
-    psiThermo,
-    psiReactionThermo,
-    hePsiThermo,
-    multiComponentMixture,
-    constTransport,
-    sensibleInternalEnergy,
-    janafThermo,
-    perfectGas,
-    specie
-);
-
-makeReactionThermos
-(
-    psiThermo,
-    psiReactionThermo,
-    hePsiThermo,
-    multiComponentMixture,
-    polynomialTransport,
-    sensibleEnthalpy,
-    hPolynomialThermo,
-    perfectGas,
-    specie
-);
-
-makeReactionThermos
-(
-    psiThermo,
-    psiReactionThermo,
-    hePsiThermo,
-    multiComponentMixture,
-    polynomialTransport,
-    sensibleInternalEnergy,
-    hPolynomialThermo,
-    perfectGas,
-    specie
-);
+makeGas(constTransport, sensibleInternalEnergy, hConstThermo);
+makeGas(sutherlandTransport, sensibleEnthalpy, hConstThermo);
+makeGas(sutherlandTransport, sensibleInternalEnergy, hConstThermo);
+makeGas(constTransport, sensibleEnthalpy, janafThermo);
+makeGas(constTransport, sensibleInternalEnergy, janafThermo);
+makeGas(polynomialTransport, sensibleEnthalpy, hPolynomialThermo);
+makeGas(polynomialTransport, sensibleInternalEnergy, hPolynomialThermo);
 
 } // End namespace Foam

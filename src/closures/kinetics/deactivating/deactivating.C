@@ -97,14 +97,8 @@ Number Foam::cghs::deactivating::law(const Number* x) const
         100*cokeM_*atLeastZero(x[cokeAt_])/(atLeastZero(m) + least)
     );
 
-    const Number T
-    (
-        temperatureAt_ < 0 ? Number(300) : x[temperatureAt_]
-    );
-    const Number fluidT
-    (
-        fluidTemperatureAt_ < 0 ? Number(1) : x[fluidTemperatureAt_]
-    );
+    const Number T(argumentOr(x, temperatureAt_, 300));
+    const Number fluidT(argumentOr(x, fluidTemperatureAt_, 1));
 
     return
         m*arrhenius_(T)

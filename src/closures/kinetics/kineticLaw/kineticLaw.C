@@ -5,6 +5,7 @@
 
 #include "FlatOutput.H"
 #include "kineticLaw.H"
+#include "selectModel.H"
 
 namespace Foam
 {
@@ -67,22 +68,12 @@ Foam::cghs::kineticLaw::New
     const reactionEquation& equation
 )
 {
-    const word modelType(dict.get<word>("rate"));
-
-    auto cstrIter = dictionaryConstructorTablePtr_->cfind(modelType);
-
-    if (!cstrIter.found())
-    {
-        FatalIOErrorInLookup
-        (
-            dict,
-            typeName,
-            modelType,
-            *dictionaryConstructorTablePtr_
-        )   << exit(FatalIOError);
-    }
-
-    return cstrIter()(dict, equation);
+    return constructorNamed<kineticLaw>
+    (
+        dict.get<word>("rate"),
+        dict,
+        *dictionaryConstructorTablePtr_
+    )(dict, equation);
 }
 
 

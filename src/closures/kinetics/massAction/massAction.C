@@ -246,14 +246,13 @@ Number Foam::cghs::massAction::law(const Number* x) const
 {
     using constant::mathematical::pi;
 
-    Number r(temperatureAt_ < 0 ? Number(arrhenius_(Number(300)))
-      : arrhenius_(x[temperatureAt_]));
+    Number r(arrhenius_(argumentOr(x, temperatureAt_, 300)));
 
     switch (basis_)
     {
-        case basis::moles: r = r*x[basisAt_]; break;
-        case basis::mass: r = r*x[basisAt_]*basisM_; break;
+        case basis::moles:
         case basis::particleMass: r = r*x[basisAt_]; break;
+        case basis::mass: r = r*x[basisAt_]*basisM_; break;
         case basis::particleSurface:
         {
             r = r*x[basisAt_]*x[basisAt_]*pi;
@@ -267,12 +266,9 @@ Number Foam::cghs::massAction::law(const Number* x) const
         case basis::fluidVolume: break;
     }
 
+    const Number T(argumentOr(x, fluidTemperatureAt_, 1));
     for (const factor& f : fluid_)
     {
-        const Number T
-        (
-            fluidTemperatureAt_ < 0 ? Number(1) : x[fluidTemperatureAt_]
-        );
         r = r*power(driving_()(x[f.argument], T), f.order);
     }
     for (const factor& f : solid_)

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "reactingCell.H"
+#include "checkedEntry.H"
 #include "drivingUnit.H"
 #include "mathematicalConstants.H"
 
@@ -100,10 +101,10 @@ Foam::cghs::reactingCell::reactingCell
         {
             solidGain_[s*nReactions_ + r] = gain[s];
         }
-        massGain_[r] = massOf(gain);
+        massGain_[r] = scheme.solids().massOf(gain);
         if (scheme.constantDensity())
         {
-            volumeGain_[r] = volumeOf(gain);
+            volumeGain_[r] = scheme.solids().volumeOf(gain);
         }
     }
 
@@ -113,6 +114,20 @@ Foam::cghs::reactingCell::reactingCell
         G_.last() = -1;
         findCarriers();
     }
+}
+
+
+Foam::cghs::reactingCell::tolerances
+Foam::cghs::reactingCell::readTolerances(const dictionary& dict)
+{
+    const tolerances t =
+    {
+        dict.getOrDefault<scalar>("relative", 1e-3),
+        dict.getOrDefault<scalar>("absolute", 1e-8)
+    };
+    checkRange(dict, "relative", t.relative, scalar(1e-12), scalar(0.1));
+    checkRange(dict, "absolute", t.absolute, scalar(1e-16), scalar(0.1));
+    return t;
 }
 
 
@@ -167,23 +182,8 @@ void Foam::cghs::reactingCell::start
     }
     if (nEnergies_)
     {
-        z_[nFluid_] = enthalpyOf(amounts, T);
+        z_[nFluid_] = scheme_.fluid().enthalpyOf(amounts, T);
     }
-}
-
-
-Foam::scalar Foam::cghs::reactingCell::enthalpyOf
-(
-    const UList<scalar>& amounts,
-    const scalar T
-) const
-{
-    scalar H = 0;
-    forAll(amounts, k)
-    {
-        H += amounts[k]*scheme_.fluid()[k].h(T);
-    }
-    return H;
 }
 
 
@@ -196,16 +196,11 @@ void Foam::cghs::reactingCell::add
     bodies_.append(parcel);
     T_.append(parcel.T);
 
-    scalar H = 0;
-    forAll(amounts, s)
-    {
-        amounts_.append(amounts[s]);
-        if (nEnergies_)
-        {
-            H += amounts[s]*scheme_.solids()[s].h(parcel.T);
-        }
-    }
-    enthalpy_.append(H);
+    amounts_.append(amounts);
+    enthalpy_.append
+    (
+        nEnergies_ ? scheme_.solids().enthalpyOf(amounts, parcel.T) : scalar(0)
+    );
     bodies_.last().amount = sum(amounts);
 }
 
@@ -323,28 +318,6 @@ void Foam::cghs::reactingCell::look(const label i, const scalar* x) const
 }
 
 
-Foam::scalar Foam::cghs::reactingCell::massOf(const scalarField& n) const
-{
-    scalar m = 0;
-    forAll(n, s)
-    {
-        m += n[s]*scheme_.solids()[s].M();
-    }
-    return m;
-}
-
-
-Foam::scalar Foam::cghs::reactingCell::volumeOf(const scalarField& n) const
-{
-    scalar V = 0;
-    forAll(n, s)
-    {
-        V += n[s]*scheme_.solids()[s].M()/scheme_.solids()[s].rho();
-    }
-    return V;
-}
-
-
 Foam::scalar Foam::cghs::reactingCell::diameter(const label i) const
 {
     if (!scheme_.constantDensity())
@@ -352,7 +325,7 @@ Foam::scalar Foam::cghs::reactingCell::diameter(const label i) const
         return bodies_[i].d;
     }
 
-    const scalar V = max(volumeOf(n_), VSMALL)/bodies_[i].W;
+    const scalar V = max(scheme_.solids().volumeOf(n_), VSMALL)/bodies_[i].W;
     return std::cbrt(6*V/constant::mathematical::pi);
 }
 
@@ -426,7 +399,10 @@ Foam::scalar Foam::cghs::reactingCell::argument
         case rateArgument::temperature: return i < 0 ? fluidT_ : T_[i];
         case rateArgument::fluidTemperature: return fluidT_;
         case rateArgument::diameter: return diameter(i);
-        case rateArgument::mass: return massOf(n_)/bodies_[i].W;
+        case rateArgument::mass:
+        {
+            return scheme_.solids().massOf(n_)/bodies_[i].W;
+        }
         case rateArgument::film: return bodies_[i].film;
         case rateArgument::fluid: return concentration_[a.index];
         case rateArgument::solid: return n_[a.index]/bodies_[i].W;
@@ -571,7 +547,9 @@ void Foam::cghs::reactingCell::addDerivative
         case rateArgument::diameter:
         {
             const scalar V =
-                scheme_.constantDensity() ? volumeOf(n_) : scalar(0);
+                scheme_.constantDensity()
+              ? scheme_.solids().volumeOf(n_)
+              : scalar(0);
             if (V > VSMALL)
             {
                 const scalar each = slope*diameter(i)/(3*V);

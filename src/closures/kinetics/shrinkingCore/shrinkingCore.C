@@ -157,13 +157,7 @@ Number Foam::cghs::shrinkingCore::conductance(const Number* x) const
 
     if (surface_.valid())
     {
-        const Number k
-        (
-            surface_()
-            (
-                temperatureAt_ < 0 ? Number(300) : x[temperatureAt_]
-            )
-        );
+        const Number k(surface_()(argumentOr(x, temperatureAt_, 300)));
         Number before(0);
         if (hasFilm_)
         {

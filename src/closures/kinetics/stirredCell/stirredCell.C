@@ -73,7 +73,8 @@ void Foam::cghs::stirredCell::flow
     }
     if (nEnergies_)
     {
-        gives_[nFluid_*n + inflow_] = enthalpyOf(amounts, T);
+        gives_[nFluid_*n + inflow_] =
+            scheme_.fluid().enthalpyOf(amounts, T);
     }
 }
 
@@ -101,10 +102,8 @@ Foam::scalar Foam::cghs::stirredCell::outRate() const
 }
 
 
-void Foam::cghs::stirredCell::ownRates(scalar* f)
+void Foam::cghs::stirredCell::flowRates(scalar* f) const
 {
-    reactingCell::ownRates(f);
-
     const scalar q = outRate();
     f[inflow_] = flows_ ? 1 : 0;
     for (label k = 0; k < nShared(); ++k)
@@ -118,10 +117,17 @@ void Foam::cghs::stirredCell::ownRates(scalar* f)
 }
 
 
+void Foam::cghs::stirredCell::ownRates(scalar* f)
+{
+    reactingCell::ownRates(f);
+    flowRates(f);
+}
+
+
 void Foam::cghs::stirredCell::ownDerivatives(scalar* f, scalar* fz)
 {
     reactingCell::ownDerivatives(f, fz);
-    ownRates(f);
+    flowRates(f);
 
     const label n = nShared();
     std::fill(fz + inflow_*n, fz + nOwn()*n, 0);

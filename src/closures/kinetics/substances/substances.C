@@ -31,3 +31,42 @@ Foam::cghs::substances::substances
         straight_ = straight_ && operator[](i).straight();
     }
 }
+
+
+Foam::scalar
+Foam::cghs::substances::massOf(const UList<scalar>& n) const
+{
+    scalar m = 0;
+    forAll(*this, k)
+    {
+        m += n[k]*operator[](k).M();
+    }
+    return m;
+}
+
+
+Foam::scalar
+Foam::cghs::substances::volumeOf(const UList<scalar>& n) const
+{
+    scalar V = 0;
+    forAll(*this, k)
+    {
+        V += n[k]*operator[](k).M()/operator[](k).rho();
+    }
+    return V;
+}
+
+
+Foam::scalar Foam::cghs::substances::enthalpyOf
+(
+    const UList<scalar>& n,
+    const scalar T
+) const
+{
+    scalar H = 0;
+    forAll(*this, k)
+    {
+        H += n[k]*operator[](k).h(T);
+    }
+    return H;
+}

@@ -485,9 +485,7 @@ void Foam::cghs::heat::state(dictionary& state) const
     balance_.state(state);
     wallHeat_.state(state);
 
-    // Parcels that are taken out before they are written count in the next step
-    state.add("comingIn", returnReduce(carriedIn(), sumOp<scalar>()));
-    state.add("goingOut", returnReduce(carriedOut(), sumOp<scalar>()));
+    ledger::state(state);
     conduction_.state(state);
     if (radiation_.valid())
     {
@@ -500,15 +498,7 @@ void Foam::cghs::heat::setState(const dictionary& state)
 {
     balance_.setState(state);
     wallHeat_.setState(state);
-
-    if (Pstream::master())
-    {
-        clear
-        (
-            state.getOrDefault<scalar>("comingIn", 0),
-            state.getOrDefault<scalar>("goingOut", 0)
-        );
-    }
+    ledger::setState(state);
     conduction_.setState(state);
     if (radiation_.valid())
     {

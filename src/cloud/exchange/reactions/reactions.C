@@ -5,11 +5,11 @@
 
 #include "reactions.H"
 #include "checkedEntry.H"
+#include "constantDictionary.H"
 #include "knownEntries.H"
-#include "IOdictionary.H"
+#include "sortedIndices.H"
 #include "profiling.H"
 #include "mathematicalConstants.H"
-#include "Time.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -18,73 +18,6 @@ namespace cghs
 {
     defineTypeNameAndDebug(reactions, 0);
     addToRunTimeSelectionTable(exchange, reactions, dictionary);
-
-
-static IOdictionary constantDictionary(const fvMesh& mesh, const word& name)
-{
-    return IOdictionary
-    (
-        IOobject
-        (
-            name,
-            mesh.time().constant(),
-            mesh,
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE,
-            false
-        )
-    );
-}
-
-
-static reactingCell::tolerances readTolerances(const dictionary& dict)
-{
-    const reactingCell::tolerances t =
-    {
-        dict.getOrDefault<scalar>("relative", 1e-3),
-        dict.getOrDefault<scalar>("absolute", 1e-8)
-    };
-    checkRange(dict, "relative", t.relative, scalar(1e-12), scalar(0.1));
-    checkRange(dict, "absolute", t.absolute, scalar(1e-16), scalar(0.1));
-    return t;
-}
-
-
-//- Numbers of bodies in the order of their cells, of which there are n; and
-//  where those of each cell begin
-static labelList sortByCell
-(
-    const UList<label>& cells,
-    const label n,
-    labelList& order
-)
-{
-    labelList starts(n + 1, 0);
-    label nInside = 0;
-    for (const label celli : cells)
-    {
-        if (celli >= 0)
-        {
-            ++starts[celli + 1];
-            ++nInside;
-        }
-    }
-    for (label celli = 0; celli < n; ++celli)
-    {
-        starts[celli + 1] += starts[celli];
-    }
-
-    order.setSize(nInside);
-    labelList next(starts);
-    forAll(cells, i)
-    {
-        if (cells[i] >= 0)
-        {
-            order[next[cells[i]]++] = i;
-        }
-    }
-    return starts;
-}
 
 } // End namespace cghs
 } // End namespace Foam
@@ -116,7 +49,7 @@ Foam::cghs::reactions::reactions(const dictionary& dict, const fvMesh& mesh)
     mesh_(mesh),
     coeffs_(dict),
     scheme_(readScheme(mesh)),
-    cell_(scheme_(), readTolerances(dict)),
+    cell_(scheme_(), reactingCell::readTolerances(dict)),
     massTransfer_
     (
         dict.found("massTransfer")
@@ -343,12 +276,8 @@ Foam::cghs::reactions::bodiesOf(const arena& parcels) const
 
 bool Foam::cghs::reactions::isSpent(const scalar* body) const
 {
-    scalar m = 0;
-    forAll(scheme_->solids(), s)
-    {
-        m += body[3 + s]*scheme_->solids()[s].M();
-    }
-    return m < leastMass_*body[0];
+    const UList<scalar> n(const_cast<scalar*>(body + 3), nSolids());
+    return scheme_->solids().massOf(n) < leastMass_*body[0];
 }
 
 
@@ -493,22 +422,20 @@ void Foam::cghs::reactions::evolve(arena& parcels, const scalar deltaT)
     const label nOwn = parcels.size();
     bodies.append(guests);
 
-    labelList cells(SubList<label>(parcels.cells, nOwn));
-    if (parcels.visiting.any())
+    // Those that are away are behind all cells
+    const label nCells = mesh_.nCells();
+    labelList cells(SubList<label>(parcels.places(), nOwn));
+    for (label& celli : cells)
     {
-        const UList<label>& places = parcels.places();
-        forAll(cells, i)
-        {
-            cells[i] = places[i] < mesh_.nCells() ? places[i] : -1;
-        }
-        cells.append(parcels.visiting.hostedCells());
+        celli = min(celli, nCells);
     }
+    cells.append(parcels.visiting.hostedCells());
 
-    labelList order;
-    const labelList starts(sortByCell(cells, mesh_.nCells(), order));
+    labelList starts;
+    const labelList order(sortedIndices(cells, nCells + 1, starts));
     const bool always = scheme_->inFluid().size();
 
-    for (label celli = 0; celli < mesh_.nCells(); ++celli)
+    for (label celli = 0; celli < nCells; ++celli)
     {
         const label n = starts[celli + 1] - starts[celli];
         if (n || always)
@@ -729,20 +656,12 @@ Foam::List<Foam::cghs::figure> Foam::cghs::reactions::figures() const
 {
     DynamicList<figure> list;
 
-    forAll(scheme_->inParticles(), r)
+    for (const auto* place : {&scheme_->inParticles(), &scheme_->inFluid()})
     {
-        list.append
-        ({
-            scheme_->inParticles()[r].name(), extents_[r]/deltaT_
-        });
-    }
-    forAll(scheme_->inFluid(), r)
-    {
-        list.append
-        ({
-            scheme_->inFluid()[r].name(),
-            extents_[nReactions() + r]/deltaT_
-        });
+        for (const reaction& r : *place)
+        {
+            list.append({r.name(), extents_[list.size()]/deltaT_});
+        }
     }
     list.append({"gained", gain_/deltaT_});
     list.append({"fed", fed_/deltaT_});
@@ -771,19 +690,11 @@ void Foam::cghs::reactions::report(const arena& parcels, Ostream& os) const
 
 void Foam::cghs::reactions::state(dictionary& state) const
 {
-    state.add("comingIn", returnReduce(carriedIn(), sumOp<scalar>()));
-    state.add("goingOut", returnReduce(carriedOut(), sumOp<scalar>()));
+    ledger::state(state);
 }
 
 
 void Foam::cghs::reactions::setState(const dictionary& state)
 {
-    if (Pstream::master())
-    {
-        clear
-        (
-            state.getOrDefault<scalar>("comingIn", 0),
-            state.getOrDefault<scalar>("goingOut", 0)
-        );
-    }
+    ledger::setState(state);
 }

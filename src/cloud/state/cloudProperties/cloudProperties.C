@@ -5,7 +5,7 @@
 
 #include "cloudProperties.H"
 #include "checkedEntry.H"
-#include "Time.H"
+#include "constantDictionary.H"
 
 Foam::IOdictionary Foam::cghs::readCloudProperties
 (
@@ -13,18 +13,7 @@ Foam::IOdictionary Foam::cghs::readCloudProperties
     const word& cloudName
 )
 {
-    return IOdictionary
-    (
-        IOobject
-        (
-            cloudName + "Properties",
-            db.time().constant(),
-            db,
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE,
-            false
-        )
-    );
+    return constantDictionary(db, cloudName + "Properties");
 }
 
 

@@ -77,6 +77,16 @@ Foam::labelList Foam::cghs::visits::hostedCells() const
 }
 
 
+Foam::labelList Foam::cghs::visits::nHosted(const label width) const
+{
+    return ListOps::create<label>
+    (
+        hosted_,
+        [=](const labelList& cells) { return width*cells.size(); }
+    );
+}
+
+
 Foam::scalarField Foam::cghs::visits::toHosts
 (
     const UList<scalar>& rows,
@@ -88,46 +98,22 @@ Foam::scalarField Foam::cghs::visits::toHosts
         return scalarField();
     }
 
-    const label first = UPstream::nRequests();
-    List<scalarField> sent(away_.size());
-    scalarField guests(width*hostedCells().size());
-    label at = 0;
-
-    forAll(hosted_, rank)
+    List<List<scalar>> out(away_.size());
+    forAll(away_, rank)
     {
-        if (hosted_[rank].size())
+        out[rank].setSize(width*away_[rank].size());
+        forAll(away_[rank], k)
         {
-            const label n = width*hosted_[rank].size();
-            UIPstream::read
-            (
-                UPstream::commsTypes::nonBlocking,
-                rank,
-                reinterpret_cast<char*>(&guests[at]),
-                n*sizeof(scalar)
-            );
-            at += n;
-        }
-        if (away_[rank].size())
-        {
-            scalarField& out = sent[rank];
-            out.setSize(width*away_[rank].size());
-            forAll(away_[rank], k)
+            for (label c = 0; c < width; ++c)
             {
-                for (label c = 0; c < width; ++c)
-                {
-                    out[width*k + c] = rows[width*away_[rank][k] + c];
-                }
+                out[rank][width*k + c] = rows[width*away_[rank][k] + c];
             }
-            UOPstream::write
-            (
-                UPstream::commsTypes::nonBlocking,
-                rank,
-                reinterpret_cast<const char*>(out.cdata()),
-                out.byteSize()
-            );
         }
     }
-    UPstream::waitRequests(first);
+
+    const labelList n(nHosted(width));
+    scalarField guests(sum(n));
+    pass(out, n, guests);
     return guests;
 }
 
@@ -144,45 +130,26 @@ void Foam::cghs::visits::fromHosts
         return;
     }
 
-    const label first = UPstream::nRequests();
-    List<scalarField> received(away_.size());
+    scalarField received(width*nAllAway_);
+    pass
+    (
+        shares(guests, nHosted(width)),
+        ListOps::create<label>
+        (
+            nAway_,
+            [=](const label parcels) { return width*parcels; }
+        ),
+        received
+    );
+
     label at = 0;
-
-    forAll(hosted_, rank)
+    for (const labelList& ofRank : away_)
     {
-        if (away_[rank].size())
-        {
-            received[rank].setSize(width*away_[rank].size());
-            UIPstream::read
-            (
-                UPstream::commsTypes::nonBlocking,
-                rank,
-                reinterpret_cast<char*>(received[rank].data()),
-                received[rank].byteSize()
-            );
-        }
-        if (hosted_[rank].size())
-        {
-            const label n = width*hosted_[rank].size();
-            UOPstream::write
-            (
-                UPstream::commsTypes::nonBlocking,
-                rank,
-                reinterpret_cast<const char*>(&guests[at]),
-                n*sizeof(scalar)
-            );
-            at += n;
-        }
-    }
-    UPstream::waitRequests(first);
-
-    forAll(away_, rank)
-    {
-        forAll(away_[rank], k)
+        for (const label i : ofRank)
         {
             for (label c = 0; c < width; ++c)
             {
-                rows[width*away_[rank][k] + c] = received[rank][width*k + c];
+                rows[width*i + c] = received[at++];
             }
         }
     }

@@ -5,6 +5,7 @@
 
 #include "composition.H"
 #include "caseChecks.H"
+#include "constantDictionary.H"
 #include "basicThermo.H"
 #include "PtrList.H"
 
@@ -153,15 +154,7 @@ Foam::wordList Foam::cghs::checkMixture(const fvMesh& mesh)
 {
     const IOdictionary properties
     (
-        IOobject
-        (
-            basicThermo::dictName,
-            mesh.time().constant(),
-            mesh,
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE,
-            false
-        )
+        constantDictionary(mesh, basicThermo::dictName)
     );
     const dictionary& types = properties.subDict("thermoType");
     const word mixture(types.get<word>("mixture"));

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "transported.H"
+#include "selectModel.H"
 #include "fluidModel.H"
 #include "species.H"
 
@@ -51,16 +52,10 @@ Foam::autoPtr<Foam::cghs::transported> Foam::cghs::transported::New
     fluidModel& fluid
 )
 {
-    const auto constructor = fluidConstructorTablePtr_->cfind(modelType);
-
-    if (!constructor.found())
-    {
-        FatalIOErrorInFunction(solution)
-            << "Unknown " << typeName << ' ' << modelType << nl << nl
-            << "Valid choices:" << nl
-            << fluidConstructorTablePtr_->sortedToc() << nl
-            << exit(FatalIOError);
-    }
-
-    return constructor()(solution.subOrEmptyDict(modelType + "Coeffs"), fluid);
+    return constructorNamed<transported>
+    (
+        modelType,
+        solution,
+        *fluidConstructorTablePtr_
+    )(solution.subOrEmptyDict(modelType + "Coeffs"), fluid);
 }
