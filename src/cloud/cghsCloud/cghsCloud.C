@@ -242,14 +242,20 @@ void Foam::cghs::cghsCloud::settle()
 
 void Foam::cghs::cghsCloud::feed(const scalar deltaT)
 {
-    if (valves_.empty() && !feeding_.needed())
+    const bool consumed = exchanges_.consumes();
+
+    if (valves_.empty() && !feeding_.needed() && !consumed)
     {
         return;
     }
 
     addProfiling(feed, "cghs::feed");
 
-    const labelList exits(valves_.findLeaving(parcels_, deltaT, g_));
+    labelList exits(valves_.findLeaving(parcels_, deltaT, g_));
+    if (consumed)
+    {
+        exchanges_.markGone(parcels_, exits, transport::nowhere);
+    }
     bool anyLeaves = false;
     for (const label patchi : exits)
     {

@@ -71,6 +71,8 @@ public:
           + (T == within ? 0 : (T - within)*thermo_.Cp(p_, within));
     }
 
+    virtual scalar formation() const { return thermo_.Hc(); }
+
     virtual scalar Cp(const scalar T) const
     {
         return thermo_.Cp(p_, range_.clip(T));

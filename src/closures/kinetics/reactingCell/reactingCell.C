@@ -236,6 +236,57 @@ bool Foam::cghs::reactingCell::react(const scalar deltaT, scalar& h)
     return true;
 }
 
+
+bool Foam::cghs::reactingCell::rests()
+{
+    share(z_.cdata());
+
+    for (const reaction& r : scheme_.inFluid())
+    {
+        if (rate(r, -1) != 0)
+        {
+            return false;
+        }
+    }
+
+    const scalarField none(nReactions_ + nEnergies_, 0);
+    forAll(bodies_, i)
+    {
+        look(i, none.cdata());
+        for (const reaction& r : scheme_.inParticles())
+        {
+            if (rate(r, i) != 0)
+            {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+
+Foam::scalar Foam::cghs::reactingCell::enthalpyTaken(const label i) const
+{
+    scalar H = 0;
+    for (label r = 0; r < nReactions_; ++r)
+    {
+        scalar byT, byFluidT;
+        H += extent(i, r)*enthalpyTaken(r, T_[i], byT, byFluidT);
+    }
+    return H;
+}
+
+
+Foam::scalar Foam::cghs::reactingCell::fluidCapacity() const
+{
+    scalar C = 0;
+    for (label k = 0; k < nFluid_; ++k)
+    {
+        C += z_[k]*fluidCp_[k];
+    }
+    return C;
+}
+
 // * * * * * * * * * * * * * * * *  The state  * * * * * * * * * * * * * * * //
 
 Foam::scalar Foam::cghs::reactingCell::temperatureOf

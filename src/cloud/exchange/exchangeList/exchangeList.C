@@ -31,6 +31,46 @@ void Foam::cghs::exchangeList::startLending(contactStage& contacts)
 
 // * * * * * * * * * * * * * * * * The step  * * * * * * * * * * * * * * * * //
 
+bool Foam::cghs::exchangeList::consumes() const
+{
+    for (const exchange& e : *this)
+    {
+        if (e.consumes())
+        {
+            return true;
+        }
+    }
+
+    return false;
+}
+
+
+void Foam::cghs::exchangeList::markGone
+(
+    const arena& parcels,
+    labelUList& exits,
+    const label exit
+)
+{
+    boolList gone(parcels.size(), false);
+
+    for (exchange& e : *this)
+    {
+        if (e.consumes())
+        {
+            e.markGone(parcels, gone);
+        }
+    }
+    forAll(gone, i)
+    {
+        if (gone[i])
+        {
+            exits[i] = exit;
+        }
+    }
+}
+
+
 void Foam::cghs::exchangeList::meet(const arena& parcels, carrierFluid& fluid)
 {
     for (exchange& e : *this)

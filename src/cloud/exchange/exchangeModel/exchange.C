@@ -101,8 +101,19 @@ Foam::PtrList<Foam::cghs::exchange> Foam::cghs::exchange::New
         (
             selectNamed<exchange>(name, subModels, table, mesh).ptr()
         );
-        models.last().checkCase(subModels.topDict());
-        models.last().addColumns(parcels);
+    }
+
+    for (exchange& model : models)
+    {
+        model.checkCase(subModels.topDict());
+    }
+    for (exchange& model : models)
+    {
+        model.join(models);
+    }
+    for (exchange& model : models)
+    {
+        model.addColumns(parcels);
     }
 
     return models;

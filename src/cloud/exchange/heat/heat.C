@@ -25,7 +25,8 @@ namespace cghs
 Foam::cghs::heat::heat(const dictionary& dict, const fvMesh& mesh)
 :
     mesh_(mesh),
-    Cp_(positiveScalar(dict, "Cp")),
+    coeffs_(dict),
+    Cp_(dict.found("Cp") ? positiveScalar(dict, "Cp") : 0),
     law_(heatTransferModel::New(dict)),
     T_("T"),
     conduction_(dict, Cp_, T_),
@@ -36,6 +37,7 @@ Foam::cghs::heat::heat(const dictionary& dict, const fvMesh& mesh)
       ? new parcelRadiation(dict.subDict("radiation"), mesh)
       : nullptr
     ),
+    reacting_(false),
     response_(mesh.nCells(), Zero),
     given_(mesh.nCells(), Zero),
     deltaT_(1),
@@ -50,6 +52,7 @@ Foam::cghs::heat::heat(const dictionary& dict, const fvMesh& mesh)
     fromFlux_(balance_.open("wallFlux")),
     walls_(),
     radiated_(radiation_.valid() ? balance_.open("radiation") : -1),
+    reacted_(-1),
     mismatch_(0),
     exchanged_(0),
     range_{GREAT, -GREAT, 0},
@@ -72,6 +75,29 @@ Foam::cghs::heat::heat(const dictionary& dict, const fvMesh& mesh)
     }
 
     needOfContacts(conduction_.needs());
+}
+
+
+void Foam::cghs::heat::join(PtrList<exchange>& all)
+{
+    for (exchange& e : all)
+    {
+        e.compose(Cp_);
+    }
+    if (!Cp_.known())
+    {
+        // Which stops: there is none
+        positiveScalar(coeffs_, "Cp");
+    }
+    if (Cp_.composed() && coeffs_.found("Cp"))
+    {
+        WarningInFunction
+            << "Entry Cp of heatCoeffs is " << coeffs_.get<scalar>("Cp")
+            << " but is not used: the solids of constant/reactions have their"
+            << " own" << nl << "    Remove it" << nl << endl;
+    }
+
+    conduction_.join();
     conduction_.forRounds
     (
         [&]
@@ -151,6 +177,60 @@ void Foam::cghs::heat::addColumns(arena& parcels)
     conduction_.addColumns(parcels);
 }
 
+// * * * * * * * * * * * * * * * * Reactions * * * * * * * * * * * * * * * * //
+
+void Foam::cghs::heat::startReacting()
+{
+    reacting_ = true;
+    reacted_ = balance_.open("reactions");
+}
+
+
+void Foam::cghs::heat::setReacted
+(
+    const scalarField& T,
+    const scalarField& x
+)
+{
+    reactedT_ = T;
+    relaxation_ = x;
+}
+
+
+void Foam::cghs::heat::addReacted
+(
+    const scalar byReactions,
+    const scalar fromFluid
+)
+{
+    balance_.add(reacted_, byReactions);
+    balance_.add(fromFluid_, fromFluid);
+}
+
+
+void Foam::cghs::heat::respondLater
+(
+    const arena& parcels,
+    const scalar deltaT
+)
+{
+    parcels.visiting.fetch(reactedT_);
+    parcels.visiting.fetch(relaxation_);
+    const UList<label>& places = parcels.places();
+
+    for (label i = 0; i < parcels.size(); ++i)
+    {
+        const label placei = places[i];
+        const scalar C = share()*capacity(parcels, i);
+        scalar& r = responses_[i];
+
+        r =
+            hasReacted(placei)
+          ? heatArrow::laterResponse(C, r, deltaT, relaxation_[placei])
+          : heatArrow::response(C, r, deltaT);
+    }
+}
+
 // * * * * * * * * * * * * * * * * The step  * * * * * * * * * * * * * * * * //
 
 void Foam::cghs::heat::meet(const arena& parcels, carrierFluid& fluid)
@@ -211,17 +291,16 @@ void Foam::cghs::heat::findResponses
     SubList<scalar> Nu(Nu_, n);
     law_->nusselts(SubList<heatedFlow>(flows_, n), Nu);
 
-    // So that both together do not shoot over
-    const scalar share = radiation_.valid() ? 0.5 : 1;
-
     for (label j = 0; j < n; ++j)
     {
         const label i = from + j;
-        const scalar C = share*capacity(parcels, i);
         const scalar k =
             parcels.weights[i]*convectiveConductance(flows_[j], Nu[j]);
 
-        responses_[i] = heatArrow::response(C, k, deltaT);
+        responses_[i] =
+            reacting_
+          ? k
+          : heatArrow::response(share()*capacity(parcels, i), k, deltaT);
     }
 }
 
@@ -273,6 +352,10 @@ void Foam::cghs::heat::leave(const arena& parcels, const scalar deltaT)
 
     twoWay_ = true;
     deltaT_ = max(deltaT, VSMALL);
+    if (reacting_ && meets_)
+    {
+        respondLater(parcels, deltaT);
+    }
     response_ = Zero;
     given_ = Zero;
     parcels.visiting.extend(response_);
@@ -285,7 +368,8 @@ void Foam::cghs::heat::leave(const arena& parcels, const scalar deltaT)
         const label placei = places[i];
 
         response_[placei] += responses_[i];
-        given_[placei] += responses_[i]*(T_[i] - fluidT_[placei]);
+        given_[placei] +=
+            responses_[i]*(drivenFrom(i, placei) - fluidT_[placei]);
     }
 
     parcels.visiting.collect(response_);
@@ -356,7 +440,9 @@ void Foam::cghs::heat::complete
     for (label i = 0; i < parcels.size(); ++i)
     {
         const label placei = places[i];
-        const scalar Q = responses_[i]*(fluidT_[placei] + dT[placei] - T_[i]);
+        const scalar Q =
+            responses_[i]
+           *(fluidT_[placei] + dT[placei] - drivenFrom(i, placei));
 
         T_[i] += Q/capacity(parcels, i);
         sums[0] += Q;

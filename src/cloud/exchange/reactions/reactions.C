@@ -24,10 +24,28 @@ namespace cghs
 
 // * * * * * * * * * * * * * * * Construction  * * * * * * * * * * * * * * * //
 
+bool Foam::cghs::reactions::energetic(const dictionary& dict)
+{
+    return
+        dict.topDict().subOrEmptyDict("solution")
+       .getOrDefault("transported", wordList()).found("energy");
+}
+
+
 Foam::autoPtr<Foam::cghs::reactionScheme>
-Foam::cghs::reactions::readScheme(const fvMesh& mesh)
+Foam::cghs::reactions::readScheme(const fvMesh& mesh, const bool energetic)
 {
     const IOdictionary dict(constantDictionary(mesh, "reactions"));
+
+    if (energetic && dict.found("species"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "There are species of a liquid, and the fluid has energy, but"
+            << " what is solved has no enthalpy of its own" << nl
+            << "Take energy out of transported, or species out of here for a"
+            << " gas that has them in thermophysicalProperties" << nl
+            << exit(FatalIOError);
+    }
 
     // A liquid has no thermophysics of its solutes
     return autoPtr<reactionScheme>
@@ -38,7 +56,7 @@ Foam::cghs::reactions::readScheme(const fvMesh& mesh)
             dict.found("species")
           ? dict
           : constantDictionary(mesh, "thermophysicalProperties"),
-            false
+            energetic
         )
     );
 }
@@ -48,7 +66,7 @@ Foam::cghs::reactions::reactions(const dictionary& dict, const fvMesh& mesh)
 :
     mesh_(mesh),
     coeffs_(dict),
-    scheme_(readScheme(mesh)),
+    scheme_(readScheme(mesh, energetic(dict))),
     cell_(scheme_(), reactingCell::readTolerances(dict)),
     massTransfer_
     (
@@ -56,6 +74,13 @@ Foam::cghs::reactions::reactions(const dictionary& dict, const fvMesh& mesh)
       ? positiveScalar(dict, "massTransfer")
       : GREAT
     ),
+    leastDiameter_
+    (
+        dict.found("leastDiameter")
+      ? positiveScalar(dict, "leastDiameter")
+      : 1e-6
+    ),
+    heat_(nullptr),
     gained_(),
     isGas_(true),
     amounts_(mesh.nCells()*nFluid(), 0),
@@ -68,20 +93,29 @@ Foam::cghs::reactions::reactions(const dictionary& dict, const fvMesh& mesh)
     in_(mesh.nCells(), 0),
     out_(mesh.nCells(), 0),
     momentum_(mesh.nCells(), Zero),
+    enthalpy_(scheme_->energetic() ? mesh.nCells() : 0, 0),
+    reactedT_(enthalpy_.size(), 0),
+    relaxation_(enthalpy_.size(), 0),
     extents_(nReactions() + scheme_->inFluid().size(), 0),
     gain_(0),
     steps_(0),
+    heating_(0),
     meanY_(nSolids(), 0),
     mass_(-1),
     fed_(0),
     left_(0),
+    burntOut_(0),
     defect_(0),
+    goneNow_(0),
     growth_(-1)
 {
     warnUnknownEntries
     (
         dict,
-        wordList({"relative", "absolute", "massTransfer", "T"})
+        wordList
+        ({
+            "relative", "absolute", "massTransfer", "T", "leastDiameter"
+        })
     );
 
     for (const word& name : scheme_->solids().names())
@@ -118,15 +152,7 @@ void Foam::cghs::reactions::checkCase(const dictionary& properties) const
             << " exchanges" << nl
             << exit(FatalIOError);
     }
-    if (transported.found("energy"))
-    {
-        FatalIOErrorInFunction(solution)
-            << "Entry transported is " << flatOutput(transported)
-            << ", but reactions do not heat yet: they take temperatures as"
-            << " they are" << nl
-            << "Write transported (species)" << nl
-            << exit(FatalIOError);
-    }
+    checkHeat(properties);
 
     const auto checkSum = [&](const dictionary& dict)
     {
@@ -158,6 +184,67 @@ void Foam::cghs::reactions::checkCase(const dictionary& properties) const
 }
 
 
+void Foam::cghs::reactions::checkHeat(const dictionary& properties) const
+{
+    if (!scheme_->energetic())
+    {
+        return;
+    }
+
+    const dictionary& subModels = properties.subDict("subModels");
+    const wordList names(subModels.get<wordList>("exchanges"));
+    const label h = names.find(heat::typeName);
+
+    if (h < 0 || h > names.find(typeName))
+    {
+        FatalIOErrorInFunction(subModels)
+            << "Entry exchanges is " << flatOutput(names)
+            << ", but the fluid has energy, and reactions heat parcels, whose"
+            << " temperatures heat has" << nl
+            << "List heat before reactions, or take energy out of transported"
+            << nl << exit(FatalIOError);
+    }
+
+    for (const substance& solid : scheme_->solids())
+    {
+        if (!solid.straight())
+        {
+            FatalIOErrorInFunction(coeffs_)
+                << "The solid " << solid.name() << " of constant/reactions has"
+                << " a heat capacity that depends on temperature" << nl
+                << "Write solidThermo hConst, and its Cp and Hf" << nl
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
+void Foam::cghs::reactions::join(PtrList<exchange>& all)
+{
+    for (exchange& e : all)
+    {
+        if (scheme_->energetic() && isA<heat>(e))
+        {
+            heat_ = &refCast<heat>(e);
+            heat_->startReacting();
+        }
+    }
+}
+
+
+void Foam::cghs::reactions::compose(parcelCapacity& Cp)
+{
+    if (scheme_->energetic())
+    {
+        forAll(Y_, s)
+        {
+            const substance& solid = scheme_->solids()[s];
+            Cp.add(Y_[s], solid.Cp(300)/solid.M());
+        }
+    }
+}
+
+
 void Foam::cghs::reactions::addColumns(arena& parcels)
 {
     for (propertyOf<scalar>& Y : Y_)
@@ -169,6 +256,19 @@ void Foam::cghs::reactions::addColumns(arena& parcels)
 }
 
 // * * * * * * * * * * * * * * * * The step  * * * * * * * * * * * * * * * * //
+
+void Foam::cghs::reactions::markGone(const arena& parcels, boolList& gone)
+{
+    for (label i = 0; i < parcels.size(); ++i)
+    {
+        if (isGone(parcels, i))
+        {
+            gone[i] = true;
+            goneNow_ += parcels.motions[i].mass();
+        }
+    }
+}
+
 
 void Foam::cghs::reactions::meet(const arena& parcels, carrierFluid& fluid)
 {
@@ -269,6 +369,13 @@ Foam::cghs::reactions::bodiesOf(const arena& parcels) const
         {
             b[3 + s] = m*Y_[s][i]/scheme_->solids()[s].M();
         }
+        if (heat_)
+        {
+            scalar* h = b + heatPart();
+            h[0] = heat_->temperatures()[i];
+            h[1] = heat_->conductances()[i];
+            h[2] = 0;
+        }
     }
     return bodies;
 }
@@ -318,6 +425,11 @@ void Foam::cghs::reactions::react
         const scalar* b = &bodies[width*i];
         if (isSpent(b))
         {
+            if (heat_)
+            {
+                // It holds no heat
+                bodies[width*i + heatPart() + 1] = 0;
+            }
             continue;
         }
         reacting.append(i);
@@ -325,10 +437,15 @@ void Foam::cghs::reactions::react
         reactingCell::body body;
         body.W = b[0];
         body.d = b[1];
-        body.T = T_[celli];
-        body.conductance = 0;
+        body.T = heat_ ? b[heatPart()] : T_[celli];
+        body.conductance = heat_ ? b[heatPart() + 1] : 0;
         body.film = massTransfer_;
         cell_.add(body, SubList<scalar>(bodies, nSolids(), width*i + 3));
+    }
+
+    if (heat_ && cell_.rests())
+    {
+        return;
     }
 
     // The whole step is tried first, so that nothing has to be remembered
@@ -370,6 +487,43 @@ void Foam::cghs::reactions::react
         addGiven(scheme_->inFluid()[r], x, given);
         extents_[nReactions() + r] += x;
     }
+
+    if (heat_)
+    {
+        noteEnthalpy(celli, reacting, bodies, deltaT);
+    }
+}
+
+
+void Foam::cghs::reactions::noteEnthalpy
+(
+    const label celli,
+    const UList<label>& reacting,
+    scalarField& bodies,
+    const scalar deltaT
+)
+{
+    const label n = nFluid();
+    scalar k = 0;
+    scalar& given = enthalpy_[celli];
+
+    forAll(reacting, j)
+    {
+        scalar* h = &bodies[bodyWidth()*reacting[j] + heatPart()];
+        h[0] = cell_.temperature(j);
+        h[2] = cell_.enthalpyGot(j) - cell_.enthalpyTaken(j);
+        k += h[1];
+        given -= cell_.enthalpyGot(j);
+    }
+    for (label s = 0; s < n; ++s)
+    {
+        const substance& species = scheme_->fluid()[s];
+        given -= given_[celli*n + s]/species.M()*species.formation();
+    }
+
+    reactedT_[celli] = cell_.fluidTemperature();
+    relaxation_[celli] = k*deltaT/max(cell_.fluidCapacity(), VSMALL);
+    heating_ += given;
 }
 
 
@@ -402,6 +556,10 @@ void Foam::cghs::reactions::evolve(arena& parcels, const scalar deltaT)
     in_ = 0;
     out_ = 0;
     momentum_ = Zero;
+    enthalpy_ = 0;
+    reactedT_ = 0;
+    relaxation_ = 0;
+    heating_ = 0;
     deltaT_ = max(deltaT, VSMALL);
 
     if (!meets_)
@@ -458,6 +616,10 @@ void Foam::cghs::reactions::evolve(arena& parcels, const scalar deltaT)
     );
     update(parcels, bodies);
     gather(parcels);
+    if (heat_)
+    {
+        heat_->setReacted(reactedT_, relaxation_);
+    }
 }
 
 
@@ -470,6 +632,8 @@ void Foam::cghs::reactions::update
     const label width = bodyWidth();
     const substances& solids = scheme_->solids();
     growth_ = 0;
+    scalar byReactions = 0;
+    scalar fromFluid = 0;
 
     for (label i = 0; i < parcels.size(); ++i)
     {
@@ -481,6 +645,7 @@ void Foam::cghs::reactions::update
         {
             continue;
         }
+        const scalar H = thermalEnthalpy(parcels, i);
 
         scalar m = 0;
         scalar V = 0;
@@ -513,6 +678,19 @@ void Foam::cghs::reactions::update
             i, d, W, m/(W*constant::mathematical::pi/6*pow3(d))
         );
         growth_ = max(growth_, parcels.spheres[i].r - r);
+
+        if (heat_)
+        {
+            const scalar* h = &bodies[width*i + heatPart()];
+            heat_->temperatures()[i] = h[0];
+            heat_->conductances()[i] = h[1];
+            byReactions += thermalEnthalpy(parcels, i) - H - h[2];
+            fromFluid += h[2];
+        }
+    }
+    if (heat_)
+    {
+        heat_->addReacted(byReactions, fromFluid);
     }
     reduce(growth_, maxOp<scalar>());
 }
@@ -542,14 +720,15 @@ void Foam::cghs::reactions::gather(const arena& parcels)
 Foam::tmp<Foam::volScalarField> Foam::cghs::reactions::rate
 (
     const word& name,
-    const scalarField& sums
+    const scalarField& sums,
+    const dimensionSet& dimensions
 ) const
 {
     auto result = volScalarField::New
     (
         "reactions:" + name,
         mesh_,
-        dimensionedScalar(dimDensity/dimTime, Zero)
+        dimensionedScalar(dimensions, Zero)
     );
 
     result.ref().primitiveFieldRef() = sums/(mesh_.V()*deltaT_);
@@ -571,7 +750,11 @@ Foam::cghs::reactions::terms(const word& quantity) const
         {
             sums[celli] = given_[celli*nFluid() + k];
         }
-        terms.given = rate(quantity, sums);
+        terms.given = rate(quantity, sums, dimDensity/dimTime);
+    }
+    else if (quantity == "energy" && heat_)
+    {
+        terms.given = rate(quantity, enthalpy_, dimPower/dimVolume);
     }
 
     return terms;
@@ -582,8 +765,8 @@ Foam::cghs::massTerms Foam::cghs::reactions::massGiven() const
 {
     massTerms terms;
 
-    terms.in = rate("in", in_);
-    terms.out = rate("out", out_);
+    terms.in = rate("in", in_, dimDensity/dimTime);
+    terms.out = rate("out", out_, dimDensity/dimTime);
 
     terms.momentum = volVectorField::New
     (
@@ -642,11 +825,14 @@ void Foam::cghs::reactions::close(const arena& parcels, const scalar deltaT)
     reduce(extents_, sumOp<scalarField>());
     reduce(gain_, sumOp<scalar>());
     reduce(steps_, maxOp<label>());
+    reduce(heating_, sumOp<scalar>());
     fed_ = returnReduce(carriedIn(), sumOp<scalar>());
-    left_ = returnReduce(carriedOut(), sumOp<scalar>());
+    burntOut_ = returnReduce(goneNow_, sumOp<scalar>());
+    left_ = returnReduce(carriedOut(), sumOp<scalar>()) - burntOut_;
     clear();
+    goneNow_ = 0;
 
-    defect_ = mass - mass_ - gain_ - fed_ + left_;
+    defect_ = mass - mass_ - gain_ - fed_ + left_ + burntOut_;
     mass_ = mass;
 }
 
@@ -666,11 +852,16 @@ Foam::List<Foam::cghs::figure> Foam::cghs::reactions::figures() const
     list.append({"gained", gain_/deltaT_});
     list.append({"fed", fed_/deltaT_});
     list.append({"left", -left_/deltaT_});
+    list.append({"burntOut", -burntOut_/deltaT_});
     forAll(Y_, s)
     {
         list.append({Y_[s].name(), meanY_[s]});
     }
     list.append({"steps", scalar(steps_)});
+    if (heat_)
+    {
+        list.append({"given", heating_/deltaT_});
+    }
 
     return List<figure>(std::move(list));
 }

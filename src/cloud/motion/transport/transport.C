@@ -774,7 +774,14 @@ void Foam::cghs::transport::release
         if (exits[i] != -1)
         {
             keep[i] = false;
-            noteEscape(parcels, i, exits[i]);
+            if (exits[i] == nowhere)
+            {
+                parcels.noteOut(i);
+            }
+            else
+            {
+                noteEscape(parcels, i, exits[i]);
+            }
         }
     }
 

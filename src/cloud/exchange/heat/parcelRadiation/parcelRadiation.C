@@ -62,7 +62,7 @@ void Foam::cghs::parcelRadiation::emit
 (
     const arena& parcels,
     const UList<scalar>& T,
-    const scalar Cp,
+    const parcelCapacity& Cp,
     const scalar deltaT
 )
 {
@@ -93,7 +93,7 @@ void Foam::cghs::parcelRadiation::emit
             emissivity_*parcels.weights[i]
            *0.25*constant::mathematical::pi*sqr(parcels.diameters[i]);
         const scalar k = area*4*sigma*(T[i] + Tm)*(sqr(T[i]) + sqr(Tm));
-        const scalar x = 2*k*deltaT/(Cp*parcels.motions[i].mass());
+        const scalar x = 2*k*deltaT/(Cp(i)*parcels.motions[i].mass());
 
         areas_[i] = area*(x > SMALL ? -std::expm1(-x)/x : 1);
         emitted_[i] = 4*sigma*pow4(T[i]);
@@ -121,7 +121,7 @@ Foam::scalar Foam::cghs::parcelRadiation::absorb
 (
     const arena& parcels,
     UList<scalar>& T,
-    const scalar Cp,
+    const parcelCapacity& Cp,
     const volScalarField& G,
     const scalar deltaT
 )
@@ -139,7 +139,7 @@ Foam::scalar Foam::cghs::parcelRadiation::absorb
         const scalar Q =
             areas_[i]*(byPlace[places[i]] - emitted_[i])*deltaT;
 
-        T[i] += Q/(Cp*parcels.motions[i].mass());
+        T[i] += Q/(Cp(i)*parcels.motions[i].mass());
         received += Q;
     }
 

@@ -97,7 +97,7 @@ Foam::scalar Foam::cghs::wallHeat::give
 (
     const arena& parcels,
     UList<scalar>& T,
-    const scalar Cp,
+    const parcelCapacity& Cp,
     const scalar deltaT
 )
 {
@@ -142,7 +142,8 @@ Foam::scalar Foam::cghs::wallHeat::give
     for (label i = 0; i < parcels.size(); ++i)
     {
         T[i] +=
-            density[places[i]]*parcels.volume(i)*parcels.motions[i].invMass/Cp;
+            density[places[i]]*parcels.volume(i)
+           *parcels.motions[i].invMass/Cp(i);
     }
 
     return received;

@@ -18,7 +18,7 @@
 Foam::cghs::conduction::conduction
 (
     const dictionary& dict,
-    const scalar Cp,
+    parcelCapacity& Cp,
     propertyOf<scalar>& T
 )
 :
@@ -245,7 +245,7 @@ void Foam::cghs::conduction::finish(const arena& parcels)
 {
     for (label i = 0; i < parcels.size(); ++i)
     {
-        T_[i] += received_[i]*parcels.motions[i].invMass/Cp_;
+        T_[i] += received_[i]*parcels.motions[i].invMass/Cp_(i);
         received_[i] = 0;
         partners_[i] = 0;
     }
