@@ -92,8 +92,9 @@ def emms(e, u, d, rho, mu):
     return wen_yu(e, u, d, rho, mu)*min(H, 1)
 
 
-def gao(e, u, d, rho, mu, effective=248e-6, in_d=False):
-    """Eqs 15-17; in_d: the effective diameter divides, as in Re."""
+def gao(e, u, d, rho, mu, effective=248e-6, in_d=False, throughout=False):
+    """Eqs 15-17; in_d: the effective diameter divides, as in Re; throughout: it
+    is that of what is beyond 0.933, too."""
     if e <= 0.8:
         return ergun(e, u, d, rho, mu)
     if e <= 0.933:
@@ -101,6 +102,7 @@ def gao(e, u, d, rho, mu, effective=248e-6, in_d=False):
         length = effective if in_d else d
         return 5/72*e*(1 - e)*rho*u/(length*(1 - e)**0.293)*Cd
     swarm = e**-2.65 if e <= 0.99 else 1
+    d = effective if throughout else d
     return 0.75*e*(1 - e)*rho*u/d*single_sphere(e*rho*u*d/mu)*swarm
 
 

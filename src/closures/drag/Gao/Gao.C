@@ -23,12 +23,17 @@ Foam::cghs::Gao::Gao(const dictionary& dict)
 :
     effectiveDiameter_(positiveScalar(dict, "effectiveDiameter")),
     effectiveDiameterInD_(dict.get<bool>("effectiveDiameterInD")),
-    blendWidth_(scalarInRange(dict, "blendWidth", 0, 0.09))
+    blendWidth_(scalarInRange(dict, "blendWidth", 0, 0.09)),
+    clustersThroughout_(dict.getOrDefault("clustersThroughout", false))
 {
     warnUnknownEntries
     (
         dict,
-        wordList({"effectiveDiameter", "effectiveDiameterInD", "blendWidth"})
+        wordList
+        ({
+            "effectiveDiameter", "effectiveDiameterInD", "blendWidth",
+            "clustersThroughout"
+        })
     );
 }
 
@@ -52,10 +57,17 @@ Foam::scalar Foam::cghs::Gao::D(const slipFlow& f) const
 {
     const auto ergun = [&]{ return ergunD(f); };
     const auto clusters = [&]{ return clusterD(f); };
-    const auto wenYu = [&]{ return wenYuD(f); };
+
+    slipFlow apart(f);
+    if (clustersThroughout_)
+    {
+        apart.d = effectiveDiameter_;
+    }
+    const auto wenYu = [&]{ return wenYuD(apart); };
     const auto single = [&]
     {
-        return 0.75*singleSphereCdRe(superficialRe(f))*f.mu/sqr(f.d);
+        return
+            0.75*singleSphereCdRe(superficialRe(apart))*f.mu/sqr(apart.d);
     };
 
     const scalar b = blendWidth_;

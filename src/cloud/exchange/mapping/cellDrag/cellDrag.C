@@ -92,7 +92,11 @@ Foam::tmp<Foam::volVectorField> Foam::cghs::cellDrag::ofShares
     volVectorField& f = tf.ref();
 
     shares_.step(f);
-    f *= b;
+
+    // In the cells alone: what stands on patches means nothing, and b would make
+    // it grow from iteration to iteration until it overflows
+    f.primitiveFieldRef() *= b.primitiveField();
+    f.dimensions().reset(f.dimensions()*b.dimensions());
     f.correctBoundaryConditions();
     shares_.step(f);
 
@@ -204,7 +208,8 @@ void Foam::cghs::cellDrag::spread
     }
     if (forces_.valid())
     {
-        forces_() = F;
+        forces_().primitiveFieldRef() = F.primitiveField();
+        forces_().correctBoundaryConditions();
     }
 }
 
@@ -213,7 +218,9 @@ void Foam::cghs::cellDrag::finish(const volVectorField& dU)
 {
     if (forces_.valid())
     {
-        forces_() += inertia_*dU;
+        forces_().primitiveFieldRef() +=
+            inertia_().primitiveField()*dU.primitiveField();
+        forces_().correctBoundaryConditions();
         inertia_.clear();
     }
 }
