@@ -407,7 +407,7 @@ void Foam::cghs::transport::noteEscape
 {
     ++nEscaped_;
     massEscaped_[patchi] += parcels.motions[i].mass();
-    parcels.noteOut(i);
+    parcels.noteOut(i, patchi);
 
     if (keepsDepartures_)
     {

@@ -113,21 +113,36 @@ void Foam::cghs::arena::freshen(const label i, const dictionary& dict)
 }
 
 
-void Foam::cghs::arena::noteIn(const label i) const
+template<class Note>
+void Foam::cghs::arena::tell(const Note& note) const
 {
-    for (ledger* l : ledgers_)
+    for (passageWatch* w : watches_)
     {
-        l->noteIn(*this, i);
+        note(*w);
+    }
+
+    for (const std::weak_ptr<passageWatch>& weak : guestWatches_)
+    {
+        const std::shared_ptr<passageWatch> w(weak.lock());
+        if (w)
+        {
+            note(*w);
+        }
     }
 }
 
 
-void Foam::cghs::arena::noteOut(const label i) const
+void Foam::cghs::arena::noteIn(const label i) const
 {
-    for (ledger* l : ledgers_)
-    {
-        l->noteOut(*this, i);
-    }
+    const auto note = [&](passageWatch& w) { w.noteIn(*this, i); };
+    tell(note);
+}
+
+
+void Foam::cghs::arena::noteOut(const label i, const label patchi) const
+{
+    const auto note = [&](passageWatch& w) { w.noteOut(*this, i, patchi); };
+    tell(note);
 }
 
 

@@ -47,3 +47,41 @@ const Foam::cghs::arena& Foam::cghs::cloudFunctionObject::parcels() const
 {
     return theCloud().parcels();
 }
+
+
+Foam::labelList Foam::cghs::cloudFunctionObject::exitPatches
+(
+    const dictionary& dict
+) const
+{
+    const polyBoundaryMesh& all = mesh_.boundaryMesh();
+    const transport& stage = theCloud().transportStage();
+    const wordList wanted(dict.get<wordList>("patches"));
+
+    labelList patches(wanted.size());
+
+    forAll(wanted, i)
+    {
+        patches[i] = all.findPatchID(wanted[i]);
+
+        if (patches[i] < 0 || !stage.escapes(patches[i]))
+        {
+            DynamicList<word> valid;
+            forAll(all, patchi)
+            {
+                if (stage.escapes(patchi))
+                {
+                    valid.append(all[patchi].name());
+                }
+            }
+
+            FatalIOErrorInFunction(dict)
+                << "Entry patches: parcels do not escape through "
+                << wanted[i] << nl
+                << "Valid choices: " << valid << nl
+                << exit(FatalIOError);
+        }
+    }
+
+    return patches;
+}

@@ -8,6 +8,7 @@
 #include "blockErrors.H"
 #include "checkedEntry.H"
 #include "knownEntries.H"
+#include "parcelNumber.H"
 #include "PstreamReduceOps.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -172,46 +173,6 @@ void Foam::cghs::solidsAverages::resumeAll()
 
 // * * * * * * * * * * * * * * *  Properties * * * * * * * * * * * * * * * * //
 
-Foam::wordList Foam::cghs::solidsAverages::scalarProperties() const
-{
-    wordList names;
-
-    for (const property* p : parcels().properties())
-    {
-        if (isA<propertyOf<scalar>>(*p))
-        {
-            names.append(p->name());
-        }
-    }
-
-    return names;
-}
-
-
-const Foam::UList<Foam::scalar>& Foam::cghs::solidsAverages::valuesOf
-(
-    const word& name
-) const
-{
-    for (const property* p : parcels().properties())
-    {
-        const auto* found = isA<propertyOf<scalar>>(*p);
-
-        if (found && p->name() == name)
-        {
-            return *found;
-        }
-    }
-
-    FatalErrorInFunction
-        << "The parcels have no property " << name << " to average" << nl
-        << "Valid choices: " << flatOutput(scalarProperties()) << nl
-        << exit(FatalError);
-
-    return UList<scalar>::null();
-}
-
-
 Foam::wordList Foam::cghs::solidsAverages::propertyNames() const
 {
     wordList names(properties_.size());
@@ -229,10 +190,15 @@ void Foam::cghs::solidsAverages::makeProperties(const dictionary& dict)
 {
     const wordList names(dict.getOrDefault("properties", wordList()));
 
+    // cghsFoam -postProcess makes the cloud later than this
+    const wordList valid
+    (
+        postProcess ? names : parcelNumber::choices(parcels())
+    );
+
     for (const word& name : names)
     {
-        // cghsFoam -postProcess makes the cloud later than this
-        const bool known = postProcess || scalarProperties().found(name);
+        const bool known = valid.found(name);
 
         if (!known || propertyNames().found(name))
         {
@@ -240,7 +206,7 @@ void Foam::cghs::solidsAverages::makeProperties(const dictionary& dict)
                 << "Entry properties is " << flatOutput(names) << " but "
                 << (known ? "names " : "parcels have no number ") << name
                 << (known ? " twice" : "") << nl
-                << "Valid choices: " << flatOutput(scalarProperties()) << nl
+                << "Valid choices: " << flatOutput(valid) << nl
                 << exit(FatalIOError);
         }
 
@@ -303,16 +269,16 @@ void Foam::cghs::solidsAverages::addProperties
 
     forAll(properties_, k)
     {
-        const UList<scalar>& values = valuesOf(properties_[k].name);
+        const parcelNumber value(properties_[k].name, parcels);
 
         for (label i = 0; i < parcels.size(); ++i)
         {
             const label placei = places[i];
             const scalar content =
-                parcels.motions[i].mass()/V[placei]*values[i];
+                parcels.motions[i].mass()/V[placei]*value(i);
 
             sums.content[k][placei] += content;
-            sums.square[k][placei] += content*values[i];
+            sums.square[k][placei] += content*value(i);
         }
     }
 }

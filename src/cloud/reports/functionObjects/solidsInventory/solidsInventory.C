@@ -54,7 +54,7 @@ bool Foam::cghs::solidsInventory::read(const dictionary& dict)
     const bool again = means_.names().size();
 
     findZones(dict);
-    findPatches(dict);
+    patches_ = exitPatches(dict);
     findFeeders(dict);
 
     means_.start(names(), dict, "Entries cellZones, patches and feeders");
@@ -82,39 +82,6 @@ void Foam::cghs::solidsInventory::findZones(const dictionary& dict)
 
         inZone_[i] = boolList(mesh_.nCells(), false);
         UIndirectList<bool>(inZone_[i], mesh_.cellZones()[zones_[i]]) = true;
-    }
-}
-
-
-void Foam::cghs::solidsInventory::findPatches(const dictionary& dict)
-{
-    const polyBoundaryMesh& all = mesh_.boundaryMesh();
-    const transport& stage = theCloud().transportStage();
-    const wordList wanted(dict.get<wordList>("patches"));
-
-    patches_.resize(wanted.size());
-
-    forAll(wanted, i)
-    {
-        patches_[i] = all.findPatchID(wanted[i]);
-
-        if (patches_[i] < 0 || !stage.escapes(patches_[i]))
-        {
-            DynamicList<word> valid;
-            forAll(all, patchi)
-            {
-                if (stage.escapes(patchi))
-                {
-                    valid.append(all[patchi].name());
-                }
-            }
-
-            FatalIOErrorInFunction(dict)
-                << "Entry patches: parcels do not escape through "
-                << wanted[i] << nl
-                << "Valid choices: " << valid << nl
-                << exit(FatalIOError);
-        }
     }
 }
 

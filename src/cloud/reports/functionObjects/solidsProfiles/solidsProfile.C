@@ -5,6 +5,7 @@
 
 #include "solidsProfile.H"
 #include "arena.H"
+#include "cellSlab.H"
 #include "checkedEntry.H"
 #include "knownEntries.H"
 #include "windowReport.H"
@@ -12,31 +13,6 @@
 #include "volFields.H"
 
 // * * * * * * * * * * * * * * * * The bins  * * * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace cghs
-{
-
-//- A mandatory vector, made one of unit length
-static vector unitVector(const dictionary& dict, const word& entry)
-{
-    const vector v(dict.get<vector>(entry));
-
-    if (!(mag(v) > VSMALL))
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry " << entry << " is " << v
-            << " but must be a direction: a vector of some length" << nl
-            << exit(FatalIOError);
-    }
-
-    return v/mag(v);
-}
-
-} // End namespace cghs
-} // End namespace Foam
-
 
 Foam::scalarField Foam::cghs::solidsProfile::coordinates
 (
@@ -68,38 +44,6 @@ Foam::scalarField Foam::cghs::solidsProfile::coordinates
 }
 
 
-Foam::boolList Foam::cghs::solidsProfile::inSlab
-(
-    const dictionary& dict,
-    const fvMesh& mesh
-)
-{
-    boolList inside(mesh.nCells(), true);
-
-    if (dict.found("slab"))
-    {
-        const dictionary& slab = dict.subDict("slab");
-        warnUnknownEntries
-        (
-            slab,
-            wordList({"normal", "position", "thickness"})
-        );
-
-        const vector normal(unitVector(slab, "normal"));
-        const scalar position = slab.get<scalar>("position");
-        const scalar half = 0.5*positiveScalar(slab, "thickness");
-        const vectorField& centres = mesh.cellCentres();
-
-        forAll(inside, celli)
-        {
-            inside[celli] = mag((centres[celli] & normal) - position) <= half;
-        }
-    }
-
-    return inside;
-}
-
-
 void Foam::cghs::solidsProfile::sortCells
 (
     const dictionary& dict,
@@ -107,7 +51,7 @@ void Foam::cghs::solidsProfile::sortCells
 )
 {
     const scalarField coordinate(coordinates(dict, mesh));
-    const boolList inside(inSlab(dict, mesh));
+    const boolList inside(cghs::inSlab(dict, mesh));
 
     forAll(binOf_, celli)
     {
