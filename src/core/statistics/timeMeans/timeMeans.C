@@ -5,6 +5,7 @@
 
 #include "timeMeans.H"
 #include "windowReport.H"
+#include "SubList.H"
 #include "Time.H"
 
 Foam::cghs::timeMeans::timeMeans
@@ -17,8 +18,9 @@ Foam::cghs::timeMeans::timeMeans
     writeFile(obr, owner.name(), table),
     owner_(owner),
     names_(),
+    over_(),
     now_(),
-    moments_(1)
+    moments_()
 {}
 
 
@@ -26,7 +28,8 @@ void Foam::cghs::timeMeans::start
 (
     const wordList& names,
     const dictionary& dict,
-    const char* entries
+    const char* entries,
+    const labelList& over
 )
 {
     read(dict);
@@ -38,25 +41,44 @@ void Foam::cghs::timeMeans::start
     }
 
     names_ = names;
+    over_ = over.empty() ? labelList(names.size(), -1) : over;
     now_ = scalarField(names.size(), Zero);
-    moments_ = blockMoments(1 + names.size());
+    moments_ = List<blockMoments>(names.size(), blockMoments(2));
 
     resume(dict, entries);
 }
 
 
+Foam::scalar Foam::cghs::timeMeans::value(const label q) const
+{
+    const scalar under = over_[q] < 0 ? 1 : now_[over_[q]];
+
+    return under != 0 ? now_[q]/under : 0;
+}
+
+
 void Foam::cghs::timeMeans::add(const scalar deltaT)
 {
-    scalarField sample(1 + now_.size(), deltaT);
+    scalarField sample(2);
 
     forAll(now_, q)
     {
-        sample[1 + q] = deltaT*now_[q];
+        sample[0] = deltaT*(over_[q] < 0 ? 1 : now_[over_[q]]);
+        sample[1] = deltaT*now_[q];
+        moments_[q].add(sample);
     }
-    moments_.add(sample);
 }
 
 // * * * * * * * * * * * * * * * * The table * * * * * * * * * * * * * * * * //
+
+Foam::scalar Foam::cghs::timeMeans::window() const
+{
+    // What a ratio is over is none
+    const label q = over_.find(-1);
+
+    return q < 0 ? 0 : moments_[q].nSamples()*moments_[q].mean(0);
+}
+
 
 void Foam::cghs::timeMeans::writeHeader(Ostream& os) const
 {
@@ -79,18 +101,18 @@ void Foam::cghs::timeMeans::writeHeader(Ostream& os) const
 
 void Foam::cghs::timeMeans::writeRow(Ostream& os, const scalar time) const
 {
-    windowReport report(moments_.nSamples()*moments_.mean(0));
+    windowReport report(window());
 
     os  << time;
     forAll(now_, q)
     {
         const blockMoments::estimate mean
         (
-            moments_.judge(moments_.ratio(1 + q, 0))
+            moments_[q].judge(moments_[q].ratio(1, 0))
         );
         report.see(names_[q] + "Mean", mean);
 
-        os  << ' ' << now_[q] << ' ' << mean.value << ' ' << mean.error
+        os  << ' ' << value(q) << ' ' << mean.value << ' ' << mean.error
             << ' ' << report.correlationTime(mean)
             << ' ' << label(mean.longEnough);
     }
@@ -102,7 +124,7 @@ void Foam::cghs::timeMeans::writeRow(Ostream& os, const scalar time) const
 
 void Foam::cghs::timeMeans::write()
 {
-    if (writeToFile() && moments_.nSamples() > 0)
+    if (writeToFile() && window() > 0)
     {
         if (!filePtr_.valid())
         {
@@ -121,7 +143,35 @@ void Foam::cghs::timeMeans::write()
 void Foam::cghs::timeMeans::keep() const
 {
     owner_.setProperty("names", names_);
-    owner_.setProperty("moments", moments_.state());
+    owner_.setProperty("moments", state());
+}
+
+
+Foam::List<Foam::scalar> Foam::cghs::timeMeans::state() const
+{
+    DynamicList<scalar> numbers;
+
+    for (const blockMoments& m : moments_)
+    {
+        numbers.append(m.state());
+    }
+
+    return List<scalar>(std::move(numbers));
+}
+
+
+bool Foam::cghs::timeMeans::setState(const UList<scalar>& state)
+{
+    // All have seen as many samples
+    const label size = state.size()/max(moments_.size(), 1);
+    bool good = size*moments_.size() == state.size();
+
+    for (label q = 0; good && q < moments_.size(); ++q)
+    {
+        good = moments_[q].setState(SubList<scalar>(state, size, q*size));
+    }
+
+    return good;
 }
 
 
@@ -136,7 +186,7 @@ void Foam::cghs::timeMeans::resume(const dictionary& dict, const char* entries)
     List<scalar> state;
     owner_.getProperty("moments", state);
 
-    if (formerNames != names_ || !moments_.setState(state))
+    if (formerNames != names_ || !setState(state))
     {
         FatalIOErrorInFunction(dict)
             << entries << " ask for " << names_ << " but until time "

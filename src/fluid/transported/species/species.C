@@ -37,7 +37,7 @@ Foam::cghs::species::species(const dictionary& dict, fluidModel& fluid)
     diffusivity_(diffusivityModel::New(dict, solvedNames())),
     diffusivityf_(Y_.size()),
     gradients_(Y_.size()),
-    balances_(Y_.size())
+    budgets_(names_, fluid.U().mesh())
 {
     warnUnknownEntries
     (
@@ -328,7 +328,7 @@ void Foam::cghs::species::solve
     }
 
     addUp(k, flow, terms);
-    addSources(balances_[k], k, flow, options);
+    addSources(budgets_[k], k, flow, options);
 }
 
 
@@ -390,7 +390,7 @@ void Foam::cghs::species::solve
 
     forAll(Y_, k)
     {
-        balances_[k].scale = 0;
+        budgets_[k].scale = 0;
         if (k != inert_)
         {
             diffusivityf_.set
@@ -507,7 +507,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::cghs::species::carriedEnergy
 
 Foam::scalar Foam::cghs::species::add
 (
-    balance& b,
+    speciesBudget& b,
     const volScalarField& density
 )
 {
@@ -519,14 +519,15 @@ Foam::scalar Foam::cghs::species::add
 
 void Foam::cghs::species::addBoundary
 (
-    balance& b,
+    speciesBudget& b,
     const volScalarField& Y,
     const surfaceScalarField& flux,
     const surfaceScalarField& diffusivityf
 )
 {
-    // In, out, through walls
-    vector sums(Zero);
+    b.carried = Zero;
+    b.diffused = Zero;
+    scalarField outflow(b.carried.size(), Zero);
 
     for (const fvPatchScalarField& there : Y.boundaryField())
     {
@@ -539,20 +540,23 @@ void Foam::cghs::species::addBoundary
 
         const scalarField carried(-flux.boundaryField()[patchi]*there);
 
-        sums[0] += sum(posPart(carried));
-        sums[1] -= sum(negPart(carried));
-        sums[2] += sum
-        (
-            diffusivityf.boundaryField()[patchi]*there.snGrad()
-           *there.patch().magSf()
-        );
+        b.carried[patchi] = sum(carried);
+        outflow[patchi] = -sum(negPart(carried));
+        b.diffused[patchi] =
+            sum
+            (
+                diffusivityf.boundaryField()[patchi]*there.snGrad()
+               *there.patch().magSf()
+            );
     }
-    reduce(sums, sumOp<vector>());
+    reduce(b.carried, sumOp<scalarField>());
+    reduce(b.diffused, sumOp<scalarField>());
+    reduce(outflow, sumOp<scalarField>());
 
-    b.inflow = sums[0];
-    b.outflow = sums[1];
-    b.walls = sums[2];
-    b.scale += mag(sums[0]) + mag(sums[1]) + mag(sums[2]);
+    b.outflow = sum(outflow);
+    b.inflow = sum(b.carried) + b.outflow;
+    b.walls = sum(b.diffused);
+    b.scale += b.inflow + b.outflow + mag(b.walls);
 }
 
 
@@ -564,7 +568,7 @@ void Foam::cghs::species::addUp
 )
 {
     const volScalarField& Y = Y_[k];
-    balance& b = balances_[k];
+    speciesBudget& b = budgets_[k];
 
     b.stored = add(b, fvc::ddt(flow.alpha, flow.rho, Y)());
     addBoundary(b, Y, flow.massFlux, diffusivityf_[k]);
@@ -579,7 +583,7 @@ void Foam::cghs::species::addUp
 
 void Foam::cghs::species::addSources
 (
-    balance& b,
+    speciesBudget& b,
     const label k,
     const fluidFlow& flow,
     const tmp<fvScalarMatrix>& options
@@ -603,7 +607,7 @@ void Foam::cghs::species::addSources
 void Foam::cghs::species::addUpInert(const fluidFlow& flow)
 {
     const volScalarField& Y = Y_[inert_];
-    balance& b = balances_[inert_];
+    speciesBudget& b = budgets_[inert_];
     const surfaceScalarField none(0*mag(flow.massFlux)/Y.mesh().magSf());
 
     b.stored = add(b, fvc::ddt(flow.alpha, flow.rho, Y)());
@@ -612,13 +616,15 @@ void Foam::cghs::species::addUpInert(const fluidFlow& flow)
     b.parcels = flow.given.valid() ? add(b, flow.given()) : 0;
     b.sources = flow.source.valid() ? add(b, flow.source()) : 0;
     b.walls = 0;
-    forAll(balances_, k)
+    b.diffused = Zero;
+    forAll(budgets_, k)
     {
         if (k != inert_)
         {
-            b.parcels -= balances_[k].parcels;
-            b.sources -= balances_[k].sources;
-            b.walls -= balances_[k].walls;
+            b.diffused -= budgets_[k].diffused;
+            b.parcels -= budgets_[k].parcels;
+            b.sources -= budgets_[k].sources;
+            b.walls -= budgets_[k].walls;
         }
     }
 }
@@ -630,7 +636,7 @@ void Foam::cghs::species::closeBalances(const fluidFlow& flow)
 
     forAll(Y_, k)
     {
-        balance& b = balances_[k];
+        speciesBudget& b = budgets_[k];
 
         b.mass =
             fvc::domainIntegrate(flow.alpha*flow.rho*Y_[k]).value();
@@ -643,7 +649,7 @@ void Foam::cghs::species::report(Ostream& os) const
 {
     forAll(Y_, k)
     {
-        const balance& b = balances_[k];
+        const speciesBudget& b = budgets_[k];
         const scalarField& Y = Y_[k].primitiveField();
 
         os  << "species " << names_[k] << ": stored " << b.stored
