@@ -6,9 +6,18 @@
 #include "parcelNumber.H"
 #include "FlatOutput.H"
 
+//- Those that every parcel has
+static const Foam::wordList& ownNumbers()
+{
+    static const Foam::wordList names({"d", "rho", "nParticle", "speed"});
+
+    return names;
+}
+
+
 Foam::wordList Foam::cghs::parcelNumber::choices(const arena& parcels)
 {
-    wordList names({"d", "rho", "nParticle", "speed"});
+    wordList names(ownNumbers());
 
     for (const property* p : parcels.properties())
     {
@@ -40,13 +49,11 @@ Foam::cghs::parcelNumber::parcelNumber
         }
     }
 
-    const wordList valid(choices(parcels));
-
-    if (!valid.found(name))
+    if (!property_ && !ownNumbers().found(name))
     {
         FatalErrorInFunction
             << "The parcels have no number " << name << nl
-            << "Valid choices: " << flatOutput(valid) << nl
+            << "Valid choices: " << flatOutput(choices(parcels)) << nl
             << exit(FatalError);
     }
 }
