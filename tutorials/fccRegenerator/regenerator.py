@@ -19,7 +19,7 @@ if PROJECT is None:
 sys.path.append(str(PROJECT / "tutorials" / "lib"))
 from tutorial import (  # noqa: E402
     Run, clock_series, columns, mean_of, np, number, of, option, ranks,
-    seconds)
+    seconds, series)
 
 # [m], as the script vessel has them
 RADIUS, WIDE_RADIUS, CONE, HEIGHT = 1.05, 1.35, (8.0, 8.4), 17.6
@@ -167,6 +167,49 @@ class Regenerator(Run):
         error [Pa]: what the walls of the cone bear is in it."""
         mean, error = self.mean(self.mass + self.gas_mass)
         return mean*self.g/AREA, error*self.g/AREA
+
+    # What burns: means of the window and their standard errors
+
+    def exchange_mean(self, table, name):
+        """Of a figure of exchangeHistory."""
+        rows = columns(self.case, table)
+        return (rows[name + "Mean"][-1], rows[name + "Error"][-1])
+
+    def coke(self):
+        """Carbon and hydrogen of the catalyst in the vessel [%]."""
+        carbon, hydrogen = (np.array(self.exchange_mean("reactionHistory", n))
+                            for n in ("Y.C", "Y.H"))
+        return 100*(carbon[0] + hydrogen[0]), 100*(carbon[1] + hydrogen[1])
+
+    def leaving(self, name):
+        """Mean of a distribution of what leaves."""
+        rows = columns(self.case, name)
+        return rows["mean"][-1], rows["meanError"][-1]
+
+    def flue_gas(self):
+        """Mass fractions and temperature of the gas that leaves."""
+        rows = series(self.case, "flueGas")
+        inside = rows[:, 0] > self.window[0]
+        return dict(zip(("O2", "CO2", "CO", "H2O", "T"),
+                        (mean_of(v) for v in rows[inside, 1:].T)))
+
+    def element_defects(self):
+        """From nowhere, over what there is and flows: largest of the run."""
+        rows = columns(self.case, "balance")
+        return {name[len("element.relative("):-1]: float(abs(value).max())
+                for name, value in rows.items()
+                if name.startswith("element.relative(")
+                and name.endswith(")")}
+
+    def gas_by_height(self, name, step=0.4):
+        """Middles of layers, means of a field's means over the gas there."""
+        z = self.field("C")[:, 2]
+        weight = self.field("V")*self.field("alpha")
+        layer = (z/step).astype(int)
+        sums = [np.bincount(layer, weights=weight*w)
+                for w in (self.field(name + "Mean"), 1)]
+        return step*(np.arange(sums[0].size) + 0.5), sums[0]/np.maximum(
+            sums[1], 1e-30)
 
     # Cost
 

@@ -776,7 +776,7 @@ void Foam::cghs::transport::release
             keep[i] = false;
             if (exits[i] == nowhere)
             {
-                parcels.noteOut(i);
+                parcels.noteOut(i, nowhere);
             }
             else
             {
