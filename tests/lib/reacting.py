@@ -35,16 +35,17 @@ def thermo(elements):
             " transport { mu 4e-5; Pr 0.7; }")
 
 
-def reacting(name, species, inert, reactions, T=1100.0, p=1e5, **parameters):
-    """A case with constant/reactions of that text, without contacts, drag and
-    diffusion."""
+def reacting(name, species, inert, reactions, T=1100.0, p=1e5, D=0,
+             **parameters):
+    """A case with constant/reactions of that text, without contacts and drag.
+    D: diffusivity of species [m2/s]."""
     case = Case(name, **{**dict(
         fluid="gas", p=p, T=T, transported=("species",), coupling="twoWay",
         exchanges=("reactions",), contactModel="none", dragModel="none",
         mappingModel="centroid", g=(0, 0, 0), pTolerance=1e-14),
         **parameters})
     gas(case, {s: (weight(e), thermo(e)) for s, e in species.items()}, inert,
-        mu=4e-5, D=0)
+        mu=4e-5, D=D)
     (case.folder/"constant/reactions").write_text(
         "FoamFile { version 2.0; format ascii; class dictionary;"
         " object reactions; }\n" + reactions)
