@@ -3,8 +3,8 @@
 # Licence: GPL-3.0-or-later, see the file LICENSE
 #
 # Description
-#     What a run of the regenerator has left, as numbers: the one place from which
-#     both evaluate (page of results) and validate (checks) take them.
+#     What a run of the regenerator has left, as numbers: the one place from
+#     which both evaluate (page of results) and validate (checks) take them.
 # ------------------------------------------------------------------------------
 """The regenerator: its inputs, its series in time, its means with errors."""
 
@@ -32,9 +32,9 @@ INVENTORY = 4950.0                      # [kg]
 VOIDAGE, BED_HEIGHT = 0.8794, 7.9       # [-], [m]
 OUTLET_PRESSURE = 1.4e5                 # [Pa]
 
-# With the spent catalyst at its voidage of 0.9, 0.5 m/s, 140 kPa and 753 K, and
-# with the regenerated at the voidage of the bed [kg/s]
-SPENT_GAS, CATALYST_GAS = 0.117, 0.06
+# With the spent catalyst at its voidage of 0.9, 0.5 m/s, 140 kPa and 753 K; and
+# with the regenerated, as README.md has it [kg/s]
+SPENT_GAS, CATALYST_GAS = 0.117, 0.12
 
 # The bed without what is next to its floor and its surface [m]
 BED = (1.0, 7.0)

@@ -93,8 +93,8 @@ Foam::tmp<Foam::volVectorField> Foam::cghs::cellDrag::ofShares
 
     shares_.step(f);
 
-    // In the cells alone: what stands on patches means nothing, and b would make
-    // it grow from iteration to iteration until it overflows
+    // In the cells alone: what stands on patches means nothing, and b would
+    // make it grow from iteration to iteration until it overflows
     f.primitiveFieldRef() *= b.primitiveField();
     f.dimensions().reset(f.dimensions()*b.dimensions());
     f.correctBoundaryConditions();
