@@ -234,6 +234,9 @@ class Regenerator(Run):
         return np.asarray(of.field(self.case, self.frames[-1], name))
 
     def due(self):
-        """Solids that were to be fed since the start [kg]."""
-        return number(self.case / self.frames[-1]
-                      / "uniform/lagrangian/parcels/flows", "due")
+        """The last time written, solids that were to be fed until then, and
+        that were [s, kg]."""
+        time = float(self.frames[-1])
+        due = number(self.case / self.frames[-1]
+                     / "uniform/lagrangian/parcels/flows", "due")
+        return time, due, np.interp(time, self.time, self.fed)
