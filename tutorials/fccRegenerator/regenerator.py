@@ -32,9 +32,11 @@ INVENTORY = 4950.0                      # [kg]
 VOIDAGE, BED_HEIGHT = 0.8794, 7.9       # [-], [m]
 OUTLET_PRESSURE = 1.4e5                 # [Pa]
 
-# With the spent catalyst at its voidage of 0.9, 0.5 m/s, 140 kPa and 753 K; and
-# with the regenerated, as README.md has it [kg/s]
-SPENT_GAS, CATALYST_GAS = 0.117, 0.12
+# With the catalyst at its voidage of 0.9, 0.5 m/s, 140 kPa and 753 K [kg/s]
+SPENT_GAS = 0.117
+
+# What draws the catalyst to the valve, at most [kg/s]
+CATALYST_GAS = 0.12
 
 # The bed without what is next to its floor and its surface [m]
 BED = (1.0, 7.0)
