@@ -185,7 +185,11 @@ class Regenerator(Run):
 
     def leaving(self, name):
         """Mean of a distribution of what leaves."""
-        rows = columns(self.case, name)
+        files = sorted(
+            (self.case / "postProcessing" / name).glob(
+                "*/parcelDistribution.dat"),
+            key=lambda path: float(path.parent.name))
+        rows = of.columns(files[-1])
         return rows["mean"][-1], rows["meanError"][-1]
 
     def flue_gas(self):
