@@ -81,6 +81,12 @@ class Regenerator(Run):
         self.gas_out = self.at_steps("outletFlow") + self.catalyst_gas
         self.gas_mass = self.at_steps("gasMass")
 
+        # Coke that parcels have lost to the gas, by each step of the log [kg]
+        log = self.case / "log.cghsFoam"
+        lost = -of.log_values(log, r"\nreactions:.* gained")
+        times = of.log_values(log, r"\nTime =")[:lost.size]
+        self.burnt = np.cumsum(np.interp(self.time, times, lost)*self.dt)
+
     def mean_flow(self, flow):
         """Over the run: steps are implicit, see gas_defect."""
         return (flow*self.dt)[1:].sum()/self.dt[1:].sum()
@@ -93,11 +99,12 @@ class Regenerator(Run):
         flow = self.air + self.spent_gas
         gained = self.gas_mass[-1] - self.gas_mass[0]
         flowed = ((flow - self.gas_out)*self.dt)[1:].sum()
+        flowed += self.burnt[-1] - self.burnt[0]
         return abs(gained - flowed)/(flow*self.dt)[1:].sum()
 
     def solids_defect(self):
         """Furthest in the run, over what was there at the start."""
-        mass = self.mass + self.escaped - self.fed
+        mass = self.mass + self.escaped - self.fed + self.burnt
         return abs(mass - mass[0]).max()/mass[0]
 
     # Profiles that solidsProfiles has made
@@ -196,8 +203,14 @@ class Regenerator(Run):
         """Mass fractions and temperature of the gas that leaves."""
         rows = series(self.case, "flueGas")
         inside = rows[:, 0] > self.window[0]
+
+        def mean(values):
+            """Of few values the error is not known."""
+            enough = values.size > 20
+            return mean_of(values) if enough else (values.mean(), np.nan)
+
         return dict(zip(("O2", "CO2", "CO", "H2O", "T"),
-                        (mean_of(v) for v in rows[inside, 1:].T)))
+                        (mean(v) for v in rows[inside, 1:].T)))
 
     def element_defects(self):
         """From nowhere, over what there is and flows: largest of the run."""
