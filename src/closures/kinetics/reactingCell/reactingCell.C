@@ -202,6 +202,13 @@ void Foam::cghs::reactingCell::add
         nEnergies_ ? scheme_.solids().enthalpyOf(amounts, parcel.T) : scalar(0)
     );
     bodies_.last().amount = sum(amounts);
+
+    scalar C = 0;
+    for (label s = 0; nEnergies_ && s < nSolids_; ++s)
+    {
+        C += amounts[s]*scheme_.solids()[s].Cp(parcel.T);
+    }
+    bodies_.last().capacity = C;
 }
 
 // * * * * * * * * * * * * * * * * * The time  * * * * * * * * * * * * * * * //
@@ -337,6 +344,17 @@ Foam::scalar Foam::cghs::reactingCell::temperatureOf
 }
 
 
+Foam::scalar Foam::cghs::reactingCell::capacityOf(const label i) const
+{
+    scalar C = 0;
+    for (label s = 0; s < nSolids_; ++s)
+    {
+        C += n_[s]*scheme_.solids()[s].Cp(T_[i]);
+    }
+    return C;
+}
+
+
 void Foam::cghs::reactingCell::look(const label i, const scalar* x) const
 {
     if (i == looked_ && std::equal(lookedX_.begin(), lookedX_.end(), x))
@@ -358,13 +376,16 @@ void Foam::cghs::reactingCell::look(const label i, const scalar* x) const
 
     if (nEnergies_)
     {
-        T_[i] = temperatureOf
-        (
-            scheme_.solids(),
-            n_.cdata(),
-            enthalpy_[i] + x[nReactions_],
-            T_[i]
-        );
+        T_[i] =
+            isNothing(i, capacityOf(i))
+          ? fluidT_
+          : temperatureOf
+            (
+                scheme_.solids(),
+                n_.cdata(),
+                enthalpy_[i] + x[nReactions_],
+                T_[i]
+            );
     }
 }
 
@@ -746,11 +767,15 @@ void Foam::cghs::reactingCell::findSlopes(const label i)
     }
 
     const substances& solids = scheme_.solids();
-    scalar C = VSMALL;
+    const scalar C = capacityOf(i);
+    if (isNothing(i, C))
+    {
+        dTdx_ = 0;
+        return;
+    }
     forAll(solids, s)
     {
         h_[s] = solids[s].h(T_[i]);
-        C += n_[s]*solids[s].Cp(T_[i]);
     }
     for (label q = 0; q < nReactions_; ++q)
     {
@@ -887,7 +912,7 @@ Foam::scalar Foam::cghs::reactingCell::error
     look(i, x);
     scalar worst = 0;
     scalar dH = nEnergies_ ? dx[nReactions_] : 0;
-    scalar C = VSMALL;
+    scalar C = tolerances_.absolute*bodies_[i].capacity + VSMALL;
     forAll(solids, s)
     {
         scalar dn = 0;

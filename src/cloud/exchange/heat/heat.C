@@ -339,7 +339,7 @@ void Foam::cghs::heat::evolve(arena& parcels, const scalar deltaT)
         );
     }
 
-    if (radiation_.valid())
+    if (radiation_.valid() && !reacting_)
     {
         radiation_->emit(parcels, T_, Cp_, deltaT);
     }
@@ -355,6 +355,11 @@ void Foam::cghs::heat::leave(const arena& parcels, const scalar deltaT)
     if (reacting_ && meets_)
     {
         respondLater(parcels, deltaT);
+        if (radiation_.valid())
+        {
+            // As they are now, which may be smaller
+            radiation_->emit(parcels, T_, Cp_, deltaT);
+        }
     }
     response_ = Zero;
     given_ = Zero;
@@ -475,6 +480,7 @@ void Foam::cghs::heat::complete
         exchanged_ = sums[2]/deltaT;
         twoWay_ = false;
     }
+    meets_ = false;
     close(parcels, deltaT);
 }
 

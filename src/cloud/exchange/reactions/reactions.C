@@ -425,11 +425,6 @@ void Foam::cghs::reactions::react
         const scalar* b = &bodies[width*i];
         if (isSpent(b))
         {
-            if (heat_)
-            {
-                // It holds no heat
-                bodies[width*i + heatPart() + 1] = 0;
-            }
             continue;
         }
         reacting.append(i);
@@ -459,7 +454,8 @@ void Foam::cghs::reactions::react
             << cell_.refusals() << " refused" << nl
             << "Its fluid has " << fluid << " mol of "
             << flatOutput(scheme_->fluid().names()) << " at " << T_[celli]
-            << " K. Look at the rates' units" << nl
+            << " K, and " << reacting.size() << " parcels react. Look at the"
+            << " rates' units, heats and heat capacities" << nl
             << exit(FatalError);
     }
     steps_ = max(steps_, cell_.steps());
@@ -564,6 +560,10 @@ void Foam::cghs::reactions::evolve(arena& parcels, const scalar deltaT)
 
     if (!meets_)
     {
+        if (mass_ >= 0)
+        {
+            close(parcels, deltaT);
+        }
         return;
     }
 
@@ -641,6 +641,11 @@ void Foam::cghs::reactions::update
         gained_[i] = bodies[width*i + 2];
         gain_ += gained_[i];
         const bool spent = isSpent(&bodies[width*i]);
+        if (spent && heat_)
+        {
+            // It holds no heat
+            heat_->conductances()[i] = 0;
+        }
         if (spent && gained_[i] == 0)
         {
             continue;
@@ -683,7 +688,6 @@ void Foam::cghs::reactions::update
         {
             const scalar* h = &bodies[width*i + heatPart()];
             heat_->temperatures()[i] = h[0];
-            heat_->conductances()[i] = h[1];
             byReactions += thermalEnthalpy(parcels, i) - H - h[2];
             fromFluid += h[2];
         }
