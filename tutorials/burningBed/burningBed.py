@@ -9,7 +9,6 @@
 # ------------------------------------------------------------------------------
 """Coke that burns from a fluidised bed."""
 
-import re
 import sys
 from pathlib import Path
 
@@ -18,36 +17,15 @@ PROJECT = next((folder for folder in Path(__file__).resolve().parents
 if PROJECT is None:
     sys.exit(f"{Path(__file__).parent} is not within a cghsFoam")
 sys.path.append(str(PROJECT / "tutorials" / "lib"))
+from cokeChemistry import R, Chemistry  # noqa: E402
 from tutorial import (  # noqa: E402
     clock_series, columns, np, number, of, ranks, series,
 )
-
-R = 8.31446261815324
-
-# kg/mol, and as in constant/: J/kg/K, J/kg at 0 K
-M = dict(O2=0.0319988, CO2=0.04400995, H2O=0.01801534, N2=0.0280134,
-         C=0.01201115, H=0.00100797)
-CP = dict(O2=1010, CO2=1080, H2O=2020, N2=1080, C=1600, H=14300,
-          catalyst=1150)
-H0 = dict(O2=-301131.5, CO2=-9263502, H2O=-14025263, C=-4.7704e5,
-          H=-4.26354e6)
 
 # What a mole of C or H turns into what
 BURN = dict(C=dict(C=-1, O2=-1, CO2=1), H=dict(H=-1, O2=-0.25, H2O=0.5))
 AIR = dict(O2=0.233, N2=0.767)
 AREA = 0.03**2      # of the floor [m^2]
-
-
-def heat_at_zero(solid):
-    """Released by a mole if all were at 0 K [J]: what the enthalpies of
-    formation do, whatever the temperatures are."""
-    return -sum(n * M[s] * H0[s] for s, n in BURN[solid].items())
-
-
-def rate_constants(T):
-    """Of C and H [1/bar/s]."""
-    return (2.78e8 * np.exp(-161200 / (R * T)),
-            4.17e8 * np.exp(-157569 / (R * T)))
 
 
 class Bed:
@@ -59,6 +37,8 @@ class Bed:
         self._read_series()
 
     def _read_inputs(self):
+        self.chemistry = Chemistry(self.case)
+        self.M = self.chemistry.M
         bed = self.case / "constant" / "bed"
         self.share = {s: number(bed, name) for s, name in
                       (("C", "carbon"), ("H", "hydrogen"))}
@@ -77,6 +57,7 @@ class Bed:
     def _read_series(self):
         self.heat = columns(self.case, "heatHistory")
         self.reactions = columns(self.case, "reactionHistory")
+        self.balance = columns(self.case, "balance")
         self.time = self.reactions["time"]
         self.dt = np.diff(self.time, prepend=0)
         self.end = float(self.time[-1])
@@ -94,14 +75,9 @@ class Bed:
 
     def gas_gained(self, species):
         """What the gas that flowed out and that in the column have more of a
-        species than what came in [kg], by the flows in the log."""
-        lines = re.findall(
-            rf"species {species}: stored (\S+) kg/s, in (\S+) kg/s,"
-            r" out (\S+) kg/s, walls (\S+) kg/s,",
-            (self.case / "log.cghsFoam").read_text())
-        # At the inlet some diffuses against the flow: walls
-        stored, inflow, outflow, walls = np.array(lines, float).T
-        rate = stored - inflow + outflow - walls
+        species than what came in [kg]."""
+        rate = sum(sign*self.balance[f"{what}({species})"] for what, sign in (
+            ("stored", 1), ("in", -1), ("out", 1)))
         return float((rate * self.dt).sum())
 
     def heat_in_all(self):
@@ -111,37 +87,43 @@ class Bed:
         return float((to_gas * self.dt).sum()
                      + (self.heat["stored"] * self.dt).sum())
 
+    def heat_of(self, solid, T):
+        """Released by a mole of it at a temperature [J]."""
+        return -sum(n * self.M[s] * self.chemistry.enthalpy(s, T)
+                    for s, n in BURN[solid].items())
+
     def heat_released(self):
-        """By the moles burnt [J]."""
-        return sum(self.burnt(s) * heat_at_zero(s) for s in BURN)
+        """By the moles burnt, as if all were at 0 K [J]: what the enthalpies of
+        formation do, whatever the temperatures are."""
+        return sum(self.burnt(s) * self.heat_of(s, 0) for s in BURN)
 
 
 def limit(bed, plug):
     """Times, share of the carbon that is left, temperature and mole fraction of
     oxygen that leaves, if the solids are well mixed and the gas flows through as
     a plug, or is mixed as well."""
+    M, Cp = bed.M, bed.chemistry.Cp
     n = {s: bed.mass * bed.share[s] / M[s] for s in BURN}
     start = n["C"]
-    capacity = bed.mass * CP["catalyst"]
+    capacity = bed.mass * Cp["catalyst"]
     moles = {s: y / M[s] for s, y in AIR.items()}
     x_in = moles["O2"] / sum(moles.values())
-    per_mole = sum(AIR[s] * CP[s] for s in AIR) / sum(moles.values())
+    per_mole = sum(AIR[s] * Cp[s] for s in AIR) / sum(moles.values())
+    k = bed.chemistry.rate_constant
     T, t, dt = bed.T0, 0.0, 1e-3
     rows = []
     while t < bed.end + 0.5 * dt:
-        k_C, k_H = rate_constants(T)
-        wants = {"C": k_C * n["C"], "H": 0.25 * k_H * n["H"]}
+        wants = {s: -BURN[s]["O2"] * k("burn" + s, T) * n[s] for s in BURN}
         N = bed.p / 1e5 * sum(wants.values()) / bed.air
         x = x_in * (np.exp(-N) if plug else 1 / (1 + N))
         rows.append((t, n["C"] / start, T, x))
         used = bed.air * (x_in - x)
         total = max(sum(wants.values()), 1e-300)
-        heat = 0
-        for s, oxygen in (("C", 1), ("H", 0.25)):
-            rate = used * wants[s] / total / oxygen
+        released = 0
+        for s in BURN:
+            rate = used * wants[s] / total / -BURN[s]["O2"]
             n[s] = max(n[s] - rate * dt, 0)
-            heat += rate * (heat_at_zero(s) - T * sum(
-                m * M[i] * CP[i] for i, m in BURN[s].items()))
-        T += dt * (heat - bed.air * per_mole * (T - bed.T0)) / capacity
+            released += rate * bed.heat_of(s, T)
+        T += dt * (released - bed.air * per_mole * (T - bed.T0)) / capacity
         t += dt
     return np.array(rows).T

@@ -18,7 +18,7 @@ if PROJECT is None:
     sys.exit(f"{Path(__file__).parent} is not within a cghsFoam")
 sys.path.append(str(PROJECT / "tutorials" / "lib"))
 from tutorial import (  # noqa: E402
-    Run, clock_series, columns, mean_of, np, number, of, option, ranks,
+    Run, clock_series, columns, mean_of, np, number, of, ranks,
     seconds, series)
 
 # [m], as the script vessel has them
@@ -59,13 +59,7 @@ class Regenerator(Run):
 
     def read_inputs(self):
         super().read_inputs()
-        properties = self.case / "constant" / "parcelsProperties"
-        self.density = number(properties, "density")
-        self.weight = number(properties, "parcelWeight")
-        self.diameter = number(properties, "diameter")
-        self.parcel_diameter = self.diameter*self.weight**(1/3)
-        self.parcel_mass = (
-            np.pi/6*self.diameter**3*self.density*self.weight)
+        self.read_parcels()
 
     def read_series(self):
         super().read_series()

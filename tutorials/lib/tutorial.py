@@ -176,6 +176,16 @@ class Run:
         self.g = float(np.linalg.norm(vector(gravity, r"\bvalue")))
         self.average_from = option(self.case, "averageFrom")
 
+    def read_parcels(self):
+        """Where all are of one size: particles and parcels [m, kg/m3, kg]."""
+        for name, entry in (("weight", "parcelWeight"),
+                            ("diameter", "diameter"), ("density", "density")):
+            setattr(self, name,
+                    option(self.case, entry, "constant/parcelsProperties"))
+        self.parcel_diameter = self.diameter * self.weight**(1/3)
+        self.parcel_mass = (
+            np.pi / 6 * self.diameter**3 * self.density * self.weight)
+
     def read_series(self):
         self.parcels = columns(self.case, "parcels")
         self.time = self.parcels["time"]

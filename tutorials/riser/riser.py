@@ -49,14 +49,9 @@ class Riser(Run):
 
     def read_inputs(self):
         super().read_inputs()
-
-        def parcels(name):
-            return option(self.case, name, "constant/parcelsProperties")
-
-        self.weight = parcels("parcelWeight")
-        self.diameter = parcels("diameter")
-        self.density = parcels("density")
-        self.rate = parcels("massFlowRate")
+        self.read_parcels()
+        self.rate = option(self.case, "massFlowRate",
+                           "constant/parcelsProperties")
         molar_mass = option(self.case, "molWeight",
                             "constant/thermophysicalProperties")
         self.psi = molar_mass/(8314.47*TEMPERATURE)     # rho/p [s2/m2]
@@ -65,10 +60,6 @@ class Riser(Run):
         mesh = "system/blockMeshDict"
         self.cell_size = (0.832/option(self.case, "nx", mesh),
                           17.12/option(self.case, "nz", mesh))
-
-        self.parcel_diameter = self.diameter*self.weight**(1/3)
-        self.parcel_mass = (
-            np.pi/6*self.diameter**3*self.density*self.weight)
 
     def read_series(self):
         super().read_series()

@@ -28,21 +28,12 @@ class Steps:
         self.time = np.array(
             re.findall(rf"^Time = ({NUMBER})", text, re.M), float)
         self.dt = np.diff(self.time, prepend=START)
-        self.clock = np.array(
-            re.findall(rf"ClockTime = ({NUMBER})", text), float)
         self.cpu = np.array(
             re.findall(rf"ExecutionTime = ({NUMBER})", text), float)
-        self.carbon = self._values(text, "burnC|toCO2|toCO")
-        self.heat = np.array(
-            re.findall(rf" reactions ({NUMBER}) W", text), float)
-
-    @staticmethod
-    def _values(text, names):
-        """Sum of the rates of these reactions in each step [mol/s]."""
-        lines = re.findall(r"^reactions: (.*)$", text, re.M)
-        return np.array([
+        self.carbon = np.array([
             sum(float(v) for v in re.findall(
-                rf"\b(?:{names}) ({NUMBER})", line)) for line in lines])
+                rf"\b(?:toCO2|toCO) ({NUMBER})", line))
+            for line in re.findall(r"^reactions: (.*)$", text, re.M)])
 
     def mean(self, values):
         late = self.time > FROM + 1e-9
