@@ -301,7 +301,9 @@ Foam::scalar Foam::cghs::reactingCell::temperatureOf
     const substances& list,
     const scalar* n,
     const scalar H,
-    const scalar guess
+    const scalar guess,
+    const scalar least,
+    const scalar otherwise
 )
 {
     if (list.straight())
@@ -314,7 +316,7 @@ Foam::scalar Foam::cghs::reactingCell::temperatureOf
             C += n[k]*list[k].Cp(0);
         }
         return
-            C > VSMALL ? min(max(missing/C, coldest), hottest) : guess;
+            C > least ? min(max(missing/C, coldest), hottest) : otherwise;
     }
 
     scalar T = guess;
@@ -327,9 +329,9 @@ Foam::scalar Foam::cghs::reactingCell::temperatureOf
             missing -= n[k]*list[k].h(T);
             C += n[k]*list[k].Cp(T);
         }
-        if (!(C > VSMALL))
+        if (!(C > least))
         {
-            return guess;
+            return otherwise;
         }
 
         const scalar next = min(max(T + missing/C, coldest), hottest);
@@ -341,17 +343,6 @@ Foam::scalar Foam::cghs::reactingCell::temperatureOf
         }
     }
     return T;
-}
-
-
-Foam::scalar Foam::cghs::reactingCell::capacityOf(const label i) const
-{
-    scalar C = 0;
-    for (label s = 0; s < nSolids_; ++s)
-    {
-        C += n_[s]*scheme_.solids()[s].Cp(T_[i]);
-    }
-    return C;
 }
 
 
@@ -376,16 +367,15 @@ void Foam::cghs::reactingCell::look(const label i, const scalar* x) const
 
     if (nEnergies_)
     {
-        T_[i] =
-            isNothing(i, capacityOf(i))
-          ? fluidT_
-          : temperatureOf
-            (
-                scheme_.solids(),
-                n_.cdata(),
-                enthalpy_[i] + x[nReactions_],
-                T_[i]
-            );
+        T_[i] = temperatureOf
+        (
+            scheme_.solids(),
+            n_.cdata(),
+            enthalpy_[i] + x[nReactions_],
+            T_[i],
+            leastCapacity(i),
+            fluidT_
+        );
     }
 }
 
@@ -423,7 +413,7 @@ void Foam::cghs::reactingCell::share(const scalar* z)
 
     if (nEnergies_)
     {
-        fluidT_ = temperatureOf(scheme_.fluid(), z, z[nFluid_], fluidT_);
+        fluidT_ = fluidTemperatureOf(z, fluidT_);
 
         scalar C = VSMALL;
         for (label k = 0; k < nFluid_; ++k)
@@ -767,15 +757,16 @@ void Foam::cghs::reactingCell::findSlopes(const label i)
     }
 
     const substances& solids = scheme_.solids();
-    const scalar C = capacityOf(i);
-    if (isNothing(i, C))
-    {
-        dTdx_ = 0;
-        return;
-    }
+    scalar C = 0;
     forAll(solids, s)
     {
         h_[s] = solids[s].h(T_[i]);
+        C += n_[s]*solids[s].Cp(T_[i]);
+    }
+    if (!(C > leastCapacity(i)))
+    {
+        dTdx_ = 0;
+        return;
     }
     for (label q = 0; q < nReactions_; ++q)
     {
@@ -952,7 +943,7 @@ Foam::scalar Foam::cghs::reactingCell::sharedError
     scalar C = VSMALL;
     if (nEnergies_)
     {
-        T = temperatureOf(fluid, z, z[nFluid_], T);
+        T = fluidTemperatureOf(z, T);
         dH = dz[nFluid_];
     }
 
@@ -997,8 +988,7 @@ bool Foam::cghs::reactingCell::allowsShared(const scalar* z) const
 
     if (nEnergies_)
     {
-        const scalar T =
-            temperatureOf(scheme_.fluid(), z, z[nFluid_], fluidT_);
+        const scalar T = fluidTemperatureOf(z, fluidT_);
         if (!(T > coldest && T < hottest))
         {
             return false;

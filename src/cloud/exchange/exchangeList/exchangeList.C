@@ -56,10 +56,7 @@ void Foam::cghs::exchangeList::markGone
 
     for (exchange& e : *this)
     {
-        if (e.consumes())
-        {
-            e.markGone(parcels, gone);
-        }
+        e.markGone(parcels, gone);
     }
     forAll(gone, i)
     {

@@ -6,6 +6,7 @@
 #include "heat.H"
 #include "heatArrow.H"
 #include "checkedEntry.H"
+#include "cloudProperties.H"
 #include "knownEntries.H"
 #include "profiling.H"
 #include "addToRunTimeSelectionTable.H"
@@ -37,7 +38,6 @@ Foam::cghs::heat::heat(const dictionary& dict, const fvMesh& mesh)
       ? new parcelRadiation(dict.subDict("radiation"), mesh)
       : nullptr
     ),
-    reacting_(false),
     response_(mesh.nCells(), Zero),
     given_(mesh.nCells(), Zero),
     deltaT_(1),
@@ -118,10 +118,7 @@ void Foam::cghs::heat::join(PtrList<exchange>& all)
 void Foam::cghs::heat::checkCase(const dictionary& properties) const
 {
     const dictionary& solution = properties.subDict("solution");
-    const wordList transported
-    (
-        solution.getOrDefault("transported", wordList())
-    );
+    const wordList transported(transportedQuantitiesOf(properties));
 
     if (solution.get<word>("coupling") == "none")
     {
@@ -181,7 +178,6 @@ void Foam::cghs::heat::addColumns(arena& parcels)
 
 void Foam::cghs::heat::startReacting()
 {
-    reacting_ = true;
     reacted_ = balance_.open("reactions");
 }
 
@@ -298,7 +294,7 @@ void Foam::cghs::heat::findResponses
             parcels.weights[i]*convectiveConductance(flows_[j], Nu[j]);
 
         responses_[i] =
-            reacting_
+            reacting()
           ? k
           : heatArrow::response(share()*capacity(parcels, i), k, deltaT);
     }
@@ -339,7 +335,7 @@ void Foam::cghs::heat::evolve(arena& parcels, const scalar deltaT)
         );
     }
 
-    if (radiation_.valid() && !reacting_)
+    if (radiation_.valid() && !reacting())
     {
         radiation_->emit(parcels, T_, Cp_, deltaT);
     }
@@ -352,7 +348,7 @@ void Foam::cghs::heat::leave(const arena& parcels, const scalar deltaT)
 
     twoWay_ = true;
     deltaT_ = max(deltaT, VSMALL);
-    if (reacting_ && meets_)
+    if (reacting() && meets_)
     {
         respondLater(parcels, deltaT);
         if (radiation_.valid())

@@ -5,6 +5,7 @@
 
 #include "reactions.H"
 #include "checkedEntry.H"
+#include "cloudProperties.H"
 #include "constantDictionary.H"
 #include "knownEntries.H"
 #include "sortedIndices.H"
@@ -26,9 +27,7 @@ namespace cghs
 
 bool Foam::cghs::reactions::energetic(const dictionary& dict)
 {
-    return
-        dict.topDict().subOrEmptyDict("solution")
-       .getOrDefault("transported", wordList()).found("energy");
+    return transportedQuantitiesOf(dict.topDict()).found("energy");
 }
 
 
@@ -130,10 +129,7 @@ Foam::cghs::reactions::reactions(const dictionary& dict, const fvMesh& mesh)
 void Foam::cghs::reactions::checkCase(const dictionary& properties) const
 {
     const dictionary& solution = properties.subDict("solution");
-    const wordList transported
-    (
-        solution.getOrDefault("transported", wordList())
-    );
+    const wordList transported(transportedQuantitiesOf(properties));
 
     if (solution.get<word>("coupling") != "twoWay")
     {
@@ -221,9 +217,14 @@ void Foam::cghs::reactions::checkHeat(const dictionary& properties) const
 
 void Foam::cghs::reactions::join(PtrList<exchange>& all)
 {
+    if (!scheme_->energetic())
+    {
+        return;
+    }
+
     for (exchange& e : all)
     {
-        if (scheme_->energetic() && isA<heat>(e))
+        if (isA<heat>(e))
         {
             heat_ = &refCast<heat>(e);
             heat_->startReacting();

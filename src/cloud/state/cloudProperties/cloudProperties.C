@@ -17,6 +17,17 @@ Foam::IOdictionary Foam::cghs::readCloudProperties
 }
 
 
+Foam::wordList Foam::cghs::transportedQuantitiesOf
+(
+    const dictionary& cloudProperties
+)
+{
+    return
+        cloudProperties.subOrEmptyDict("solution")
+       .getOrDefault("transported", wordList());
+}
+
+
 //- The constantProperties, but for what another dictionary has instead
 static Foam::dictionary propertiesWith
 (

@@ -240,3 +240,35 @@ bool Foam::cghs::blockMoments::setState(const UList<scalar>& state)
 
     return true;
 }
+
+
+Foam::List<Foam::scalar>
+Foam::cghs::blockMoments::stateOf(const UList<blockMoments>& all)
+{
+    DynamicList<scalar> numbers;
+
+    for (const blockMoments& m : all)
+    {
+        numbers.append(m.state());
+    }
+
+    return List<scalar>(std::move(numbers));
+}
+
+
+bool Foam::cghs::blockMoments::setStateOf
+(
+    UList<blockMoments>& all,
+    const UList<scalar>& state
+)
+{
+    const label size = state.size()/max(all.size(), 1);
+    bool good = size*all.size() == state.size();
+
+    for (label k = 0; good && k < all.size(); ++k)
+    {
+        good = all[k].setState(SubList<scalar>(state, size, k*size));
+    }
+
+    return good;
+}

@@ -210,10 +210,7 @@ Foam::List<Foam::scalar> Foam::cghs::histogramMeans::state() const
 {
     DynamicList<scalar> numbers(moments_.state());
 
-    for (const blockMoments& bin : bins_)
-    {
-        numbers.append(bin.state());
-    }
+    numbers.append(blockMoments::stateOf(bins_));
 
     return List<scalar>(std::move(numbers));
 }
@@ -231,14 +228,14 @@ bool Foam::cghs::histogramMeans::setState(const UList<scalar>& state)
     const label size = nLevels*(N_MOMENTS*(N_MOMENTS + 3) + 2);
     const label each = nLevels*(N_BIN_MOMENTS*(N_BIN_MOMENTS + 3) + 2);
 
-    bool good =
-        state.size() == size + bins_.size()*each
-     && moments_.setState(SubList<scalar>(state, size));
+    const label ofBins = bins_.size()*each;
 
-    for (label k = 0; good && k < bins_.size(); ++k)
-    {
-        good = bins_[k].setState(SubList<scalar>(state, each, size + k*each));
-    }
-
-    return good;
+    return
+        state.size() == size + ofBins
+     && moments_.setState(SubList<scalar>(state, size))
+     && blockMoments::setStateOf
+        (
+            bins_,
+            SubList<scalar>(state, ofBins, size)
+        );
 }

@@ -149,29 +149,13 @@ void Foam::cghs::timeMeans::keep() const
 
 Foam::List<Foam::scalar> Foam::cghs::timeMeans::state() const
 {
-    DynamicList<scalar> numbers;
-
-    for (const blockMoments& m : moments_)
-    {
-        numbers.append(m.state());
-    }
-
-    return List<scalar>(std::move(numbers));
+    return blockMoments::stateOf(moments_);
 }
 
 
 bool Foam::cghs::timeMeans::setState(const UList<scalar>& state)
 {
-    // All have seen as many samples
-    const label size = state.size()/max(moments_.size(), 1);
-    bool good = size*moments_.size() == state.size();
-
-    for (label q = 0; good && q < moments_.size(); ++q)
-    {
-        good = moments_[q].setState(SubList<scalar>(state, size, q*size));
-    }
-
-    return good;
+    return blockMoments::setStateOf(moments_, state);
 }
 
 

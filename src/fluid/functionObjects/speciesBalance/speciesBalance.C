@@ -369,6 +369,22 @@ Foam::cghs::speciesBalance::flows Foam::cghs::speciesBalance::flowsNow
 }
 
 
+void Foam::cghs::speciesBalance::tellSubstance
+(
+    const label k,
+    const flows& f,
+    DynamicList<quantity>& list
+) const
+{
+    const word ofIt('(' + substances_[k] + ')');
+
+    list.append({"in" + ofIt, f.in[k], -1});
+    list.append({"out" + ofIt, f.out[k], -1});
+    list.append({"stored" + ofIt, f.stored[k], -1});
+    list.append({"gained" + ofIt, f.gained[k], -1});
+}
+
+
 void Foam::cghs::speciesBalance::tellSpecies
 (
     const flows& f,
@@ -379,10 +395,7 @@ void Foam::cghs::speciesBalance::tellSpecies
     {
         const word& s = substances_[k];
 
-        list.append({"in(" + s + ')', f.in[k], -1});
-        list.append({"out(" + s + ')', f.out[k], -1});
-        list.append({"stored(" + s + ')', f.stored[k], -1});
-        list.append({"gained(" + s + ')', f.gained[k], -1});
+        tellSubstance(k, f, list);
         list.append
         (
             {
@@ -415,12 +428,7 @@ void Foam::cghs::speciesBalance::tellSolids
 {
     for (label k = nSpecies_; k < substances_.size(); ++k)
     {
-        const word& s = substances_[k];
-
-        list.append({"in(" + s + ')', f.in[k], -1});
-        list.append({"out(" + s + ')', f.out[k], -1});
-        list.append({"stored(" + s + ')', f.stored[k], -1});
-        list.append({"gained(" + s + ')', f.gained[k], -1});
+        tellSubstance(k, f, list);
     }
 }
 

@@ -306,27 +306,11 @@ void Foam::cghs::solidsProfile::write(Ostream& os, const word& owner) const
 
 Foam::List<Foam::scalar> Foam::cghs::solidsProfile::state() const
 {
-    DynamicList<scalar> numbers;
-
-    for (const blockMoments& bin : bins_)
-    {
-        numbers.append(bin.state());
-    }
-
-    return List<scalar>(std::move(numbers));
+    return blockMoments::stateOf(bins_);
 }
 
 
 bool Foam::cghs::solidsProfile::setState(const UList<scalar>& state)
 {
-    // All bins have seen as many samples
-    const label size = state.size()/bins_.size();
-    bool good = size*bins_.size() == state.size();
-
-    for (label bin = 0; good && bin < bins_.size(); ++bin)
-    {
-        good = bins_[bin].setState(SubList<scalar>(state, size, bin*size));
-    }
-
-    return good;
+    return blockMoments::setStateOf(bins_, state);
 }
