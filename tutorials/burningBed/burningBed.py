@@ -102,13 +102,13 @@ def limit(bed, plug):
     """Times, share of the carbon that is left, temperature and mole fraction of
     oxygen that leaves, if the solids are well mixed and the gas flows through as
     a plug, or is mixed as well."""
-    M, Cp = bed.M, bed.chemistry.Cp
+    M, Cp = bed.M, bed.chemistry.heat_capacity
     n = {s: bed.mass * bed.share[s] / M[s] for s in BURN}
     start = n["C"]
-    capacity = bed.mass * Cp["catalyst"]
+    capacity = bed.mass * Cp("catalyst", bed.T0)
     moles = {s: y / M[s] for s, y in AIR.items()}
     x_in = moles["O2"] / sum(moles.values())
-    per_mole = sum(AIR[s] * Cp[s] for s in AIR) / sum(moles.values())
+    per_mole = sum(AIR[s] * Cp(s, bed.T0) for s in AIR) / sum(moles.values())
     k = bed.chemistry.rate_constant
     T, t, dt = bed.T0, 0.0, 1e-3
     rows = []

@@ -3,8 +3,8 @@
 # Licence: GPL-3.0-or-later, see the file LICENSE
 #
 # Description
-#     What burns in a tutorial, from its own dictionaries: molar masses, heat
-#     capacities and enthalpies of its gas and solids, rates of its reactions.
+#     What burns in a tutorial, from its own dictionaries: molar masses and
+#     enthalpies of its gas and solids, rates of its reactions.
 #     And the steady limits of a bed of catalyst whose coke burns: solids that
 #     are well mixed and all as hot as the gas, which flows through them as a
 #     plug or is well mixed, too.
@@ -50,9 +50,15 @@ def value(text, name):
     return float(match[1]) if match else None
 
 
+def expanded(text, whole):
+    """With the entries of the dictionaries that it takes in by $:name."""
+    return text + "".join(
+        block(whole, other) for other in re.findall(r"\$:(\w+);", text))
+
+
 class Chemistry:
-    """M [kg/mol], Cp [J/kg/K] and h0, the enthalpy at 0 K [J/kg], by names; the
-    names of the gas."""
+    """M [kg/mol] by names; the names of the gas. Thermodynamics are hConst or,
+    of the gas, janaf."""
 
     def __init__(self, case):
         self.reactions = dictionary(case, "reactions")
@@ -60,10 +66,11 @@ class Chemistry:
         self.gas = re.search(r"\bspecies\s*\(([^)]*)\)", gas)[1].split()
         solids = block(self.reactions, "solids")
 
-        self.M, self.Cp, self.h0 = {}, {}, {}
+        # Of janaf two sets; else one. See enthalpy
+        self.M, self.coefficients, self.common = {}, {}, {}
         self._known = {}    # A and Ta of reactions
         for name in self.gas:
-            self._read(name, block(gas, name))
+            self._read(name, expanded(block(gas, name), gas))
         for name in re.findall(r"(\w+)\s*\{(?:[^{}]*\{[^{}]*\})+[^{}]*\}",
                                solids):
             self._read(name, block(solids, name))
@@ -74,19 +81,40 @@ class Chemistry:
             sum(ATOMS[atom] * float(n) for atom, n in
                 re.findall(r"(\w+)\s+([\d.]+)\s*;", elements[1]))
             if elements else value(text, "molWeight"))
-        self.Cp[name] = value(text, "Cp")
-        self.h0[name] = value(text, "Hf")
+        if value(text, "Cp") is not None:
+            self.common[name] = np.inf
+            self.coefficients[name] = [
+                [value(text, "Hf"), value(text, "Cp")]]
+            return
+        self.common[name] = value(text, "Tcommon")
+        self.coefficients[name] = [
+            self._janaf(text, entry, self.M[name])
+            for entry in ("lowCpCoeffs", "highCpCoeffs")]
+
+    @staticmethod
+    def _janaf(text, entry, M):
+        """Coefficients of the enthalpy [J/kg] over powers of T."""
+        a = [float(x) for x in
+             re.search(rf"{entry}\s*\(([^)]*)\)", text)[1].split()]
+        return [R / M * x for x in (a[5], *(a[i] / (i + 1) for i in range(5)))]
 
     def enthalpy(self, name, T):
         """With that of formation [J/kg]."""
-        return self.h0[name] + self.Cp[name] * T
+        high = int(T > self.common[name])
+        return np.polynomial.polynomial.polyval(
+            T, self.coefficients[name][high])
+
+    def heat_capacity(self, name, T):
+        """[J/kg/K]."""
+        high = int(T > self.common[name])
+        return np.polynomial.polynomial.polyval(
+            T, np.polynomial.polynomial.polyder(
+                self.coefficients[name][high]))
 
     def rate_constant(self, reaction, T):
         """In the units of its entry A, by Arrhenius."""
         if reaction not in self._known:
-            text = block(self.reactions, reaction)
-            for other in re.findall(r"\$:(\w+);", text):
-                text += block(self.reactions, other)
+            text = expanded(block(self.reactions, reaction), self.reactions)
             Ta = value(text, "Ta")
             Ta = value(text, "Ea") / R if Ta is None else Ta
             self._known[reaction] = value(text, "A"), Ta
@@ -196,7 +224,7 @@ class CokeBed:
             1 - (solids * C + lost[0]) / fed[0],
             1 - (solids * H + lost[1]) / fed[1],
             (heat_in - heat_out)
-            / (self.feed * chemistry.Cp["catalyst"] * 300)])
+            / (self.feed * chemistry.heat_capacity("catalyst", T) * 300)])
 
     def limit(self, plug, guess=(0.0043, 0.0001, 910.0)):
         """C and H of the solids, T [K], and mass fractions of the gas that

@@ -54,7 +54,7 @@ int main(int argc, char *argv[])
 
     const bool withFluid = fluid.valid();
 
-    stepReport report(parcels, runTime);
+    stepReport report(cloud, runTime);
     progress pace(runTime);
 
     Info<< nl << "Starting time loop" << nl << endl;
@@ -80,22 +80,22 @@ int main(int argc, char *argv[])
 
         // ---- Parcels: feeding, exchange, contact, transport ---------------
 
-        parcels.feed(deltaT);
+        cloud.feed(deltaT);
 
         if (withFluid)
         {
-            parcels.meet(fluid());
+            cloud.meet(fluid());
         }
 
-        parcels.evolve(deltaT);
+        cloud.evolve(deltaT);
 
 
         // ---- Fluid: voidage, momentum, pressure; what the parcels answer --
 
         if (withFluid)
         {
-            fluid->solve(parcels);
-            parcels.complete(fluid(), deltaT);
+            fluid->solve(cloud);
+            cloud.complete(fluid(), deltaT);
         }
 
 

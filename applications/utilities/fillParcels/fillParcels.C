@@ -52,7 +52,8 @@ Usage
 #include "Time.H"
 #include "polyMesh.H"
 #include "packer.H"
-#include "transport.H"
+#include "meshFreedom.H"
+#include "parcelBoundary.H"
 #include "parcelFiles.H"
 #include "flowState.H"
 #include "cloudProperties.H"
@@ -90,7 +91,7 @@ struct container
     {
         for (direction d = 0; d < 3; ++d)
         {
-            if (transport::freedom(m)[d] == 0)
+            if (cghs::freedom(m)[d] == 0)
             {
                 thickness = m.bounds().span()[d];
             }
@@ -359,7 +360,7 @@ static void explainRoom
     const List<labelPair>& touched
 )
 {
-    const vector freedom(transport::freedom(mesh));
+    const vector freedom(cghs::freedom(mesh));
 
     for (direction cmpt = 0; cmpt < 3; ++cmpt)
     {
@@ -479,7 +480,7 @@ int main(int argc, char *argv[])
     );
 
     const constants parcel(properties);
-    const cghs::transport boundary(mesh, properties.subDict("boundary"));
+    const cghs::parcelBoundary boundary(mesh, properties.subDict("boundary"));
 
     const List<labelPair> touched(boundary.wallPatches());
 
@@ -517,7 +518,7 @@ int main(int argc, char *argv[])
         appendVelocities
         (
             b,
-            cghs::transport::freedom(mesh),
+            cghs::freedom(mesh),
             spheres.random(),
             velocities
         );

@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "packer.H"
-#include "transport.H"
+#include "meshFreedom.H"
 
 namespace Foam
 {
@@ -36,11 +36,11 @@ Foam::cghs::packer::packer
     const label seed
 )
 :
-    freedom_(transport::freedom(mesh)),
+    freedom_(freedom(mesh)),
     axes_(emptyLast(freedom_)),
     bounds_(mesh.bounds()),
     locator_(mesh),
-    walls_(mesh, wallPatches, transport::periods(mesh)),
+    walls_(mesh, wallPatches, periods(mesh)),
     random_(seed)
 {}
 

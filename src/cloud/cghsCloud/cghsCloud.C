@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "cghsCloud.H"
+#include "meshFreedom.H"
 #include "cloudProperties.H"
 #include "cloudChecks.H"
 #include "parcelFiles.H"
@@ -100,8 +101,8 @@ Foam::cghs::cghsCloud::cghsCloud
         std::move(contactModel_),
         scalarInRange(solution(), "neighbourSkin", SMALL, 10),
         mesh,
-        transport_.wallPatches(),
-        transport::periods(mesh),
+        transport_.boundary().wallPatches(),
+        periods(mesh),
         g
     ),
     wallMotion_(mesh),
@@ -110,7 +111,7 @@ Foam::cghs::cghsCloud::cghsCloud
     (
         properties_.subDict("boundary"),
         mesh,
-        transport_.patchesOf(transport::action::valve)
+        transport_.boundary().patchesOf(parcelBoundary::action::valve)
     ),
     momentum_(nullptr),
     present_(true),
@@ -121,7 +122,7 @@ Foam::cghs::cghsCloud::cghsCloud
 
     if (feeding_.recycling())
     {
-        transport_.keepDepartures();
+        transport_.gone().keep();
     }
     if
     (
@@ -182,7 +183,7 @@ void Foam::cghs::cghsCloud::enterFluid()
         name(),
         g_,
         largestDiameter(),
-        transport_.plates(),
+        transport_.boundary().plates(),
         twoWay ? scalarInRange(solution(), "minVoidage", 0.01, 1) : 0
     );
     exchanges_.append(momentum_);
@@ -489,7 +490,7 @@ Foam::dictionary Foam::cghs::cghsCloud::flows() const
     (
         SubField<scalar>
         (
-            transport_.massEscapedBy(),
+            transport_.gone().massBy(),
             mesh_.boundaryMesh().nNonProcessor()
         )
     );
@@ -498,7 +499,7 @@ Foam::dictionary Foam::cghs::cghsCloud::flows() const
     dictionary byPatch;
     forAll(escaped, patchi)
     {
-        if (transport_.escapes(patchi))
+        if (transport_.boundary().escapes(patchi))
         {
             byPatch.add(mesh_.boundaryMesh()[patchi].name(), escaped[patchi]);
         }
@@ -538,7 +539,7 @@ void Foam::cghs::cghsCloud::setFlows(const dictionary& flows)
         }
     }
 
-    transport_.setMassEscaped(escaped);
+    transport_.gone().setMass(escaped);
     feeding_.setState(flows);
     flows.readIfPresent("diameterTime", survey_.diameterTime);
     contacts_.setState(flows.subOrEmptyDict("contacts"));

@@ -62,17 +62,17 @@ void Foam::cghs::checkPressure
 void Foam::cghs::checkSolids
 (
     const volScalarField& alpha,
-    const cghsCloud& parcels
+    const cghsCloud& cloud
 )
 {
     const scalar lowest = gMin(alpha.primitiveField());
 
-    if (parcels.empty() && lowest < 1 - SMALL)
+    if (cloud.empty() && lowest < 1 - SMALL)
     {
         FatalIOErrorInFunction(fileOf(alpha))
             << "alpha goes down to " << lowest << ", so there have been solids,"
-            << " but the cloud " << parcels.name() << " has no parcels in "
-            << alpha.time().timePath()/cloud::prefix/parcels.name() << nl
+            << " but the cloud " << cloud.name() << " has no parcels in "
+            << alpha.time().timePath()/cloud::prefix/cloud.name() << nl
             << "Restore that folder, or restart from a time that has it, or"
             << " fill the mesh with fillParcels; or remove alpha to begin"
             << " without solids" << nl

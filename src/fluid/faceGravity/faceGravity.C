@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "faceGravity.H"
-#include "transport.H"
+#include "meshFreedom.H"
 #include "fvm.H"
 #include "fvc.H"
 #include "fixedValueFvPatchFields.H"
@@ -54,7 +54,7 @@ Foam::vector Foam::cghs::faceGravity::alongPeriods
     vector along(Zero);
     DynamicList<vector> directions;
 
-    for (vector period : transport::periods(mesh))
+    for (vector period : periods(mesh))
     {
         const scalar length = mag(period);
 

@@ -36,12 +36,12 @@ static IOobject fieldIO
 
 
 //- The solids that the fluid takes notice of
-static tmp<volScalarField> solidsMet(const cghsCloud& parcels)
+static tmp<volScalarField> solidsMet(const cghsCloud& cloud)
 {
     return
-        parcels.coupling() == cghsCloud::couplingType::twoWay
-      ? parcels.momentumExchange().solidsFraction()
-      : parcels.momentumExchange().noSolids();
+        cloud.coupling() == cghsCloud::couplingType::twoWay
+      ? cloud.momentumExchange().solidsFraction()
+      : cloud.momentumExchange().noSolids();
 }
 
 } // End namespace cghs
@@ -60,7 +60,7 @@ Foam::cghs::fluidModel::fluidModel
 (
     fvMesh& mesh,
     const dimensionedVector& g,
-    const cghsCloud& parcels,
+    const cghsCloud& cloud,
     const dimensionSet& pressure
 )
 :
@@ -69,17 +69,17 @@ Foam::cghs::fluidModel::fluidModel
     yield_
     (
         mesh,
-        parcels.coupling() == cghsCloud::couplingType::twoWay,
-        parcels.plates()
+        cloud.coupling() == cghsCloud::couplingType::twoWay,
+        cloud.plates()
     ),
     piso_(mesh),
     g_(g),
-    transported_(parcels.properties().subDict("solution")),
+    transported_(cloud.properties().subDict("solution")),
     minVoidage_
     (
         scalarInRange
         (
-            parcels.properties().subDict("solution"),
+            cloud.properties().subDict("solution"),
             "minVoidage",
             0.01,
             1
@@ -111,13 +111,13 @@ Foam::cghs::fluidModel::fluidModel
     alpha_
     (
         fieldIO("alpha", mesh, IOobject::READ_IF_PRESENT, IOobject::AUTO_WRITE),
-        boundedVoidage(solidsMet(parcels))
+        boundedVoidage(solidsMet(cloud))
     ),
     alphaf_("alphaf", fvc::interpolate(alpha_))
 {
     checkTransient(mesh);
     checkPressure(p_, pressure);
-    checkSolids(alpha_, parcels);
+    checkSolids(alpha_, cloud);
     balanceWalls(p_, U_);
     mesh_.setFluxRequired(p_.name());
     gravity_.reset(new faceGravity(p_, g_));
@@ -133,15 +133,15 @@ Foam::cghs::fluidModel::New
 (
     fvMesh& mesh,
     const dimensionedVector& g,
-    const cghsCloud& parcels
+    const cghsCloud& cloud
 )
 {
-    if (parcels.coupling() == cghsCloud::couplingType::none)
+    if (cloud.coupling() == cghsCloud::couplingType::none)
     {
         return nullptr;
     }
 
-    const dictionary& solution = parcels.properties().subDict("solution");
+    const dictionary& solution = cloud.properties().subDict("solution");
     word modelType(solution.getOrDefault<word>(typeName, "incompressible"));
 
     // Its name when it could be nothing else
@@ -157,7 +157,7 @@ Foam::cghs::fluidModel::New
             modelType,
             solution,
             *cloudConstructorTablePtr_
-        )(mesh, g, parcels)
+        )(mesh, g, cloud)
     );
 
     fluid->transported_.make(solution, fluid());
@@ -516,13 +516,13 @@ void Foam::cghs::fluidModel::solveAlone()
 }
 
 
-void Foam::cghs::fluidModel::solve(cghsCloud& parcels)
+void Foam::cghs::fluidModel::solve(cghsCloud& cloud)
 {
-    if (parcels.isFelt())
+    if (cloud.isFelt())
     {
-        momentum& solids = parcels.momentumExchange();
+        momentum& solids = cloud.momentumExchange();
 
-        parcelMass_ = feelsMass() ? parcels.massGiven() : massTerms();
+        parcelMass_ = feelsMass() ? cloud.massGiven() : massTerms();
 
         setSolids(solids.solidsFraction());
         setYield(solids.yieldToVelocity(), solids.yieldToGradient());
@@ -543,7 +543,7 @@ void Foam::cghs::fluidModel::solve(cghsCloud& parcels)
 
     if (!transported_.empty())
     {
-        solveTransported(parcels);
+        solveTransported(cloud);
     }
 }
 
@@ -562,21 +562,21 @@ void Foam::cghs::fluidModel::keepFluxes()
 
 
 Foam::tmp<Foam::volScalarField>
-Foam::cghs::fluidModel::dissipation(const cghsCloud& parcels) const
+Foam::cghs::fluidModel::dissipation(const cghsCloud& cloud) const
 {
     tmp<volScalarField> power(viscousStress() && fvc::grad(U_));
 
-    if (parcels.isFelt())
+    if (cloud.isFelt())
     {
         power.ref() +=
-            parcels.momentumExchange().dissipation(parcels.parcels());
+            cloud.momentumExchange().dissipation(cloud.parcels());
     }
 
     return power;
 }
 
 
-void Foam::cghs::fluidModel::solveTransported(const cghsCloud& parcels)
+void Foam::cghs::fluidModel::solveTransported(const cghsCloud& cloud)
 {
     tmp<volScalarField> massSource;
 
@@ -596,12 +596,12 @@ void Foam::cghs::fluidModel::solveTransported(const cghsCloud& parcels)
 
     if (transported_.dissipates())
     {
-        heating = dissipation(parcels);
+        heating = dissipation(cloud);
     }
 
     transported_.solve
     (
-        alpha_, rho(), massSource, given, heating, *options_, parcels
+        alpha_, rho(), massSource, given, heating, *options_, cloud
     );
     transportedSolved();
 }

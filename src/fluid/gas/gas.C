@@ -98,11 +98,11 @@ Foam::cghs::gas::gas
 (
     fvMesh& mesh,
     const dimensionedVector& g,
-    const cghsCloud& parcels
+    const cghsCloud& cloud
 )
 :
-    fluidModel(mesh, g, parcels, dimPressure),
-    thermo_(idealGas(mesh, parcels.properties().subDict("solution"))),
+    fluidModel(mesh, g, cloud, dimPressure),
+    thermo_(idealGas(mesh, cloud.properties().subDict("solution"))),
     mixture_(startMixture()),
     rho_
     (

@@ -42,10 +42,10 @@ Foam::cghs::incompressibleFluid::incompressibleFluid
 (
     fvMesh& mesh,
     const dimensionedVector& g,
-    const cghsCloud& parcels
+    const cghsCloud& cloud
 )
 :
-    fluidModel(mesh, g, parcels, dimPressure/dimDensity),
+    fluidModel(mesh, g, cloud, dimPressure/dimDensity),
     alphaPhi_("alphaPhi", alphaf_*phi_),
     viscosity_(U_, phi_),
     density_(densityOf(viscosity_)),
@@ -61,7 +61,7 @@ Foam::cghs::incompressibleFluid::incompressibleFluid
     dilute_
     (
         transports("species")
-     && parcels.properties().subDict("solution")
+     && cloud.properties().subDict("solution")
        .subOrEmptyDict("speciesCoeffs").getOrDefault<bool>("dilute", true)
     )
 {

@@ -11,11 +11,11 @@
 
 Foam::cghs::stepReport::stepReport
 (
-    const cghsCloud& parcels,
+    const cghsCloud& cloud,
     const Time& time
 )
 :
-    parcels_(parcels),
+    cloud_(cloud),
     time_(time)
 {
     if (Pstream::master())
@@ -29,7 +29,7 @@ void Foam::cghs::stepReport::openTable()
 {
     const fileName folder
     (
-        time_.globalPath()/"postProcessing"/parcels_.name()/time_.timeName()
+        time_.globalPath()/"postProcessing"/cloud_.name()/time_.timeName()
     );
 
     mkDir(folder);
@@ -55,7 +55,7 @@ void Foam::cghs::stepReport::writeRow
     const scalar escaped =
         returnReduce
         (
-            parcels_.transportStage().massEscaped(),
+            cloud_.transportStage().gone().mass(),
             sumOp<scalar>()
         );
 
@@ -87,7 +87,7 @@ void Foam::cghs::stepReport::writeRow
         << token::SPACE << nCrowded
         << token::SPACE << continuityError
         << token::SPACE << escaped
-        << token::SPACE << parcels_.massFed() << nl;
+        << token::SPACE << cloud_.massFed() << nl;
 
     if (time_.writeTime() || time_.timeIndex() % 50 == 0)
     {
@@ -104,8 +104,8 @@ void Foam::cghs::stepReport::write
 {
     addProfiling(report, "cghs::report");
 
-    const census c(parcels_.count());
-    const stepLog& log = parcels_.log();
+    const census c(cloud_.count());
+    const stepLog& log = cloud_.log();
 
     const label nCrowded = fluid.valid() ? log.nCrowdedCells : 0;
     const scalar defect = fluid.valid() ? fluid->continuityError() : 0;
@@ -117,7 +117,7 @@ void Foam::cghs::stepReport::write
         << ", largest overlap " << 100*log.maxOverlap
         << " % of d, correction work " << log.correctionWork << " J, "
         << log.nCrowdedCells << " cells too full" << nl;
-    parcels_.report(os);
+    cloud_.report(os);
 
     if (fluid.valid())
     {

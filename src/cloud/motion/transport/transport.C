@@ -4,17 +4,11 @@
 \*---------------------------------------------------------------------------*/
 
 #include "transport.H"
-#include "patchParts.H"
-#include "emptyPolyPatch.H"
+#include "meshFreedom.H"
 #include "cyclicPolyPatch.H"
 #include "processorPolyPatch.H"
 #include "processorCyclicPolyPatch.H"
-#include "cyclicAMIPolyPatch.H"
-#include "symmetryPolyPatch.H"
-#include "symmetryPlanePolyPatch.H"
 #include "wedgePolyPatch.H"
-#include "contact.H"
-#include "knownEntries.H"
 #include "meshTools.H"
 #include "PstreamBuffers.H"
 #include "globalMeshData.H"
@@ -22,307 +16,7 @@
 #include "PstreamReduceOps.H"
 #include "profiling.H"
 
-#include <algorithm>
-
-const Foam::Enum<Foam::cghs::transport::action>
-Foam::cghs::transport::actionNames
-({
-    { action::rebound, "rebound" },
-    { action::escape, "escape" },
-    { action::valve, "inventoryValve" }
-});
-
-// * * * * * * * * * * * * * * * * The input * * * * * * * * * * * * * * * * //
-
-bool Foam::cghs::transport::isPlate
-(
-    const cyclicPolyPatch& patch,
-    const dictionary& dict
-) const
-{
-    const entry* e = dict.findEntry(patch.name(), keyType::LITERAL);
-
-    if (!e)
-    {
-        return false;
-    }
-
-    // All of its faces may be between ranks
-    bool apart = false;
-
-    for (const label parti : patchParts(mesh_, patch.index()))
-    {
-        const polyPatch& part = mesh_.boundaryMesh()[parti];
-
-        apart =
-            apart
-         || (part.size() && refCast<const coupledPolyPatch>(part).separated());
-    }
-
-    if (returnReduce(apart, orOp<bool>()))
-    {
-        WarningInFunction
-            << "The entry for patch " << patch.name() << " in " << dict.name()
-            << " has no effect: parcels pass periodic sides" << nl
-            << "    Only a plate within the mesh, of a cyclic pair in one place as"
-            << " createBaffles makes it, can hold parcels" << nl << endl;
-        return false;
-    }
-
-    if (e->isDict() || e->get<word>() != actionNames[action::rebound])
-    {
-        FatalIOErrorInFunction(dict)
-            << "The entry for the cyclic patch " << patch.name()
-            << " must be rebound" << nl
-            << "Parcels pass cyclic patches; rebound makes a plate of one that"
-            << " holds them, and lets the fluid pass. Without an entry they pass"
-            << nl << exit(FatalIOError);
-    }
-
-    const word& other = patch.neighbPatchName();
-
-    if (!dict.findEntry(other, keyType::LITERAL))
-    {
-        FatalIOErrorInFunction(dict)
-            << "Patch " << patch.name() << " is told to hold parcels, but "
-            << other << ", which is its other side, is not" << nl
-            << "Both sides of a plate hold them: add the entry " << other << ' '
-            << actionNames[action::rebound] << nl << exit(FatalIOError);
-    }
-
-    return true;
-}
-
-
-void Foam::cghs::transport::readActions(const dictionary& dict)
-{
-    List<word> names(mesh_.boundaryMesh().names());
-    names.append(mesh_.boundaryMesh().groupPatchIDs().toc());
-    warnUnknownEntries(dict, names);
-
-
-    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
-
-    forAll(patches, patchi)
-    {
-        const polyPatch& pp = patches[patchi];
-
-        if (isA<emptyPolyPatch>(pp))
-        {
-            actions_[patchi] = action::none;
-        }
-        else if (isA<processorCyclicPolyPatch>(pp))
-        {
-            // Parts of a periodic patch, which comes before them
-            actions_[patchi] =
-                actions_
-                [
-                    refCast<const processorCyclicPolyPatch>(pp).referPatchID()
-                ];
-        }
-        else if (isA<cyclicPolyPatch>(pp))
-        {
-            actions_[patchi] =
-                isPlate(refCast<const cyclicPolyPatch>(pp), dict)
-              ? action::rebound
-              : action::coupled;
-        }
-        else if (isA<processorPolyPatch>(pp))
-        {
-            actions_[patchi] = action::coupled;
-        }
-        else if (isA<symmetryPolyPatch>(pp) || isA<symmetryPlanePolyPatch>(pp))
-        {
-            actions_[patchi] = action::mirror;
-        }
-        else if (isA<wedgePolyPatch>(pp))
-        {
-            actions_[patchi] = action::axis;
-        }
-        else if (isA<cyclicAMIPolyPatch>(pp))
-        {
-            FatalIOErrorInFunction(dict)
-                << "Patch " << pp.name() << " is of type " << pp.type()
-                << ", which parcels cannot pass" << nl
-                << "Make its two sides match and use cyclic" << nl
-                << exit(FatalIOError);
-        }
-        else if (!dict.found(pp.name()))
-        {
-            FatalIOErrorInFunction(dict)
-                << "No entry for patch " << pp.name() << nl
-                << "State what parcels do there, one of "
-                << actionNames << nl
-                << exit(FatalIOError);
-        }
-        else
-        {
-            const word name
-            (
-                dict.isDict(pp.name())
-              ? dict.subDict(pp.name()).get<word>("type")
-              : dict.get<word>(pp.name())
-            );
-
-            if (!actionNames.found(name))
-            {
-                FatalIOErrorInFunction(dict)
-                    << "Unknown action " << name << " for patch " << pp.name()
-                    << nl << "Valid choices: " << actionNames << nl
-                    << exit(FatalIOError);
-            }
-
-            actions_[patchi] = actionNames[name];
-        }
-    }
-}
-
-
-Foam::List<Foam::labelPair> Foam::cghs::transport::wallPatches() const
-{
-    DynamicList<labelPair> patches;
-
-    // Those between ranks are parts of these
-    for (label patchi = 0; patchi < mesh_.boundaryMesh().nNonProcessor(); ++patchi)
-    {
-        if
-        (
-            actions_[patchi] == action::rebound
-         || actions_[patchi] == action::valve
-        )
-        {
-            patches.append(labelPair(patchi, contact::parcelWall));
-        }
-        else if (actions_[patchi] == action::mirror)
-        {
-            patches.append(labelPair(patchi, contact::parcelMirror));
-        }
-    }
-
-    return List<labelPair>(std::move(patches));
-}
-
-
-Foam::labelList Foam::cghs::transport::plates() const
-{
-    DynamicList<label> patches;
-
-    for (const polyPatch& pp : mesh_.boundaryMesh())
-    {
-        if (pp.coupled() && actions_[pp.index()] == action::rebound)
-        {
-            patches.append(pp.index());
-        }
-    }
-
-    return labelList(std::move(patches));
-}
-
-
-Foam::vector Foam::cghs::transport::freedom(const polyMesh& mesh)
-{
-    const Vector<label>& d = mesh.solutionD();
-
-    return vector(d.x() > 0, d.y() > 0, d.z() > 0);
-}
-
-
-Foam::List<Foam::vector> Foam::cghs::transport::periods(const polyMesh& mesh)
-{
-    DynamicList<vector> own;
-
-    for (const polyPatch& pp : mesh.boundaryMesh())
-    {
-        const coupledPolyPatch* coupled = isA<coupledPolyPatch>(pp);
-
-        if (!coupled || pp.empty())
-        {
-            continue;
-        }
-
-        if (!coupled->parallel())
-        {
-            FatalErrorInFunction
-                << "Patch " << pp.name() << " couples by a rotation; parcels"
-                << " can only pass periodic patches that are parallel" << nl
-                << exit(FatalError);
-        }
-
-        if (coupled->separated())
-        {
-            own.append(coupled->separation()[0]);
-        }
-    }
-
-    List<List<vector>> all(Pstream::nProcs());
-    all[Pstream::myProcNo()] = own;
-    Pstream::gatherList(all);
-    Pstream::scatterList(all);
-
-    // Each period is met from both sides, and by many ranks
-    DynamicList<vector> different;
-    for (const List<vector>& ofRank : all)
-    {
-        for (const vector& p : ofRank)
-        {
-            bool known = false;
-            for (const vector& q : different)
-            {
-                known =
-                    known || min(mag(p - q), mag(p + q)) < 1e-6*mag(p);
-            }
-
-            if (!known)
-            {
-                different.append(p);
-            }
-        }
-    }
-
-    return List<vector>(std::move(different));
-}
-
 // * * * * * * * * * * * * * * * * The boundary  * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace cghs
-{
-
-//- Send each rank its list, empty it, and return what has come from each
-template<class Type>
-static List<List<Type>> post(List<DynamicList<Type>>& sent)
-{
-    PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
-    List<List<Type>> came(sent.size());
-
-    forAll(sent, rank)
-    {
-        if (sent[rank].size())
-        {
-            UOPstream os(rank, buffers);
-            os << List<Type>(sent[rank]);
-            sent[rank].clear();
-        }
-    }
-
-    labelList sizes;
-    buffers.finishedSends(sizes);
-
-    forAll(came, rank)
-    {
-        if (sizes[rank])
-        {
-            UIPstream is(rank, buffers);
-            is >> came[rank];
-        }
-    }
-    return came;
-}
-
-} // End namespace cghs
-} // End namespace Foam
-
 
 void Foam::cghs::transport::reflect
 (
@@ -398,35 +92,6 @@ void Foam::cghs::transport::passCyclic
 }
 
 
-void Foam::cghs::transport::noteEscape
-(
-    const arena& parcels,
-    const label i,
-    const label patchi
-)
-{
-    ++nEscaped_;
-    massEscaped_[patchi] += parcels.motions[i].mass();
-    parcels.noteOut(i, patchi);
-
-    if (keepsDepartures_)
-    {
-        departures_.append
-        (
-            departure
-            {
-                parcels.diameters[i],
-                parcels.weights[i],
-                parcels.density(i),
-                parcels.ids[i],
-                patchi,
-                parcels.row(i)
-            }
-        );
-    }
-}
-
-
 Foam::cghs::transport::fate Foam::cghs::transport::settleOne
 (
     arena& parcels,
@@ -447,7 +112,7 @@ Foam::cghs::transport::fate Foam::cghs::transport::settleOne
 
         const label patchi = mesh_.boundaryMesh().whichPatch(facei);
 
-        switch (actions_[patchi])
+        switch (boundary_[patchi])
         {
             case action::rebound:
             case action::valve:
@@ -524,7 +189,7 @@ Foam::label Foam::cghs::transport::settleFrom
             case fate::leaves:
                 keep[i] = false;
                 ++nLost;
-                noteEscape(parcels, i, patches.whichPatch(facei));
+                departures_.note(parcels, i, patches.whichPatch(facei));
                 break;
 
             case fate::passes:
@@ -626,128 +291,10 @@ void Foam::cghs::transport::settle(arena& parcels)
     bool anySent = true;
     DynamicList<label> entries;
 
-    for (label round = 0; anySent && round < patience_; ++round)
+    for (label round = 0; anySent && round < visitors::ranksPassed; ++round)
     {
         first = settleFrom(parcels, first, entries, anySent);
     }
-}
-
-
-bool Foam::cghs::transport::toOtherRank(const label facei) const
-{
-    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
-    const polyPatch& pp = patches[patches.whichPatch(facei)];
-
-    return isA<processorPolyPatch>(pp) && !isA<processorCyclicPolyPatch>(pp);
-}
-
-
-void Foam::cghs::transport::sendOn
-(
-    visitor v,
-    const label facei,
-    List<DynamicList<visitor>>& sent
-) const
-{
-    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
-    const label patchi = patches.whichPatch(facei);
-    const processorPolyPatch& pp =
-        refCast<const processorPolyPatch>(patches[patchi]);
-
-    v.patch = mesh_.globalData().processorPatchNeighbours()[patchi];
-    v.face = pp.whichFace(facei);
-    sent[pp.neighbProcNo()].append(v);
-}
-
-
-void Foam::cghs::transport::host
-(
-    const UList<visitor>& came,
-    List<DynamicList<visitor>>& sent,
-    List<DynamicList<label>>& cells,
-    List<DynamicList<label>>& guests
-)
-{
-    const labelList& procPatches = mesh_.globalData().processorPatches();
-
-    for (const visitor& v : came)
-    {
-        const polyPatch& pp = mesh_.boundaryMesh()[procPatches[v.patch]];
-
-        label celli = pp.faceCells()[v.face];
-        const label facei = locator_.follow(v.x, celli);
-
-        // Not back by the face that it came in by, see settleFrom
-        if
-        (
-            facei != -1
-         && facei != pp.start() + v.face
-         && toOtherRank(facei)
-        )
-        {
-            sendOn(v, facei, sent);
-        }
-        else
-        {
-            cells[v.rank].append(celli);
-            guests[v.rank].append(v.parcel);
-        }
-    }
-}
-
-
-void Foam::cghs::transport::findVisits
-(
-    arena& parcels,
-    const UList<labelPair>& beyond
-)
-{
-    const label nRanks = Pstream::nProcs();
-    List<DynamicList<visitor>> sent(nRanks);
-    List<DynamicList<label>> cells(nRanks);
-    List<DynamicList<label>> guests(nRanks);
-
-    for (const labelPair& p : beyond)
-    {
-        const label i = p.first();
-
-        sendOn
-        (
-            visitor{Pstream::myProcNo(), i, -1, -1, parcels.spheres[i].x},
-            p.second(),
-            sent
-        );
-    }
-
-    bool any = true;
-    for (label round = 0; any && round < patience_; ++round)
-    {
-        const List<List<visitor>> came(post(sent));
-
-        any = false;
-        for (const List<visitor>& ofRank : came)
-        {
-            host(ofRank, sent, cells, guests);
-        }
-        for (const List<visitor>& toRank : sent)
-        {
-            any = any || toRank.size();
-        }
-        reduce(any, orOp<bool>());
-    }
-
-    labelListList hosted(nRanks);
-    forAll(hosted, rank)
-    {
-        hosted[rank] = std::move(cells[rank]);
-    }
-    parcels.visiting.set
-    (
-        parcels.cells,
-        mesh_.nCells(),
-        post(guests),
-        std::move(hosted)
-    );
 }
 
 
@@ -757,7 +304,7 @@ bool Foam::cghs::transport::enters(const vector& x, label& celli)
 
     return
         facei == -1
-     || actions_[mesh_.boundaryMesh().whichPatch(facei)] == action::coupled;
+     || boundary_[mesh_.boundaryMesh().whichPatch(facei)] == action::coupled;
 }
 
 
@@ -780,7 +327,7 @@ void Foam::cghs::transport::release
             }
             else
             {
-                noteEscape(parcels, i, exits[i]);
+                departures_.note(parcels, i, exits[i]);
             }
         }
     }
@@ -788,32 +335,6 @@ void Foam::cghs::transport::release
     parcels.thin(keep);
 }
 
-
-Foam::List<Foam::cghs::departure>
-Foam::cghs::transport::collectDepartures()
-{
-    List<List<departure>> ofRanks(Pstream::nProcs());
-    ofRanks[Pstream::myProcNo()] = departures_;
-    departures_.clear();
-
-    Pstream::gatherList(ofRanks);
-    Pstream::scatterList(ofRanks);
-
-    DynamicList<departure> all;
-    for (const List<departure>& ofRank : ofRanks)
-    {
-        all.append(ofRank);
-    }
-
-    std::sort
-    (
-        all.begin(),
-        all.end(),
-        [](const departure& a, const departure& b) { return a.id < b.id; }
-    );
-
-    return List<departure>(std::move(all));
-}
 
 // * * * * * * * * * * * * * * * * The motion  * * * * * * * * * * * * * * * //
 
@@ -838,7 +359,7 @@ void Foam::cghs::transport::reportConstrained
 
 void Foam::cghs::transport::constrain(arena& parcels) const
 {
-    const vector free(freedom(mesh_));
+    const vector free(cghs::freedom(mesh_));
     const vector across(vector::one - free);
     const bool flat = across != vector::zero;
     bool wedge = false;
@@ -950,12 +471,7 @@ Foam::cghs::transport::report Foam::cghs::transport::move
         {
             const label patchi = mesh_.boundaryMesh().whichPatch(facei);
 
-            if
-            (
-                actions_[patchi] == action::rebound
-             || actions_[patchi] == action::valve
-             || actions_[patchi] == action::mirror
-            )
+            if (boundary_.stops(patchi))
             {
                 turnBack(parcels, i, facei);
             }
@@ -963,7 +479,7 @@ Foam::cghs::transport::report Foam::cghs::transport::move
             {
                 crossed = true;
 
-                if (toOtherRank(facei))
+                if (visitors_.leadTo(facei))
                 {
                     beyond.append(labelPair(i, facei));
                 }
@@ -983,7 +499,7 @@ Foam::cghs::transport::report Foam::cghs::transport::move
     {
         if (r.crossed)
         {
-            findVisits(parcels, beyond);
+            visitors_.find(parcels, beyond);
         }
         else
         {
@@ -999,21 +515,17 @@ Foam::cghs::transport::transport(const polyMesh& mesh, const dictionary& dict)
 :
     mesh_(mesh),
     locator_(mesh),
-    actions_(mesh.boundaryMesh().size(), action::none),
+    boundary_(mesh, dict),
     freedom_
     (
         mesh.geometricD().x() > 0,
         mesh.geometricD().y() > 0,
         mesh.geometricD().z() > 0
     ),
-    nEscaped_(0),
-    massEscaped_(mesh.boundaryMesh().size(), Zero),
-    nPenetrated_(0),
-    keepsDepartures_(false),
-    departures_()
+    departures_(mesh.boundaryMesh().size()),
+    visitors_(mesh, locator_),
+    nPenetrated_(0)
 {
-    readActions(dict);
-
     // Made when it is first asked for, by all ranks together: later one of them
     // may ask alone
     mesh_.globalData();

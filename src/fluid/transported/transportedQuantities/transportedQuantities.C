@@ -131,7 +131,7 @@ void Foam::cghs::transportedQuantities::solve
     const tmp<volScalarField>& given,
     const tmp<volScalarField>& dissipation,
     fv::optionList& options,
-    const cghsCloud& parcels
+    const cghsCloud& cloud
 )
 {
     fluidFlow flow
@@ -155,7 +155,7 @@ void Foam::cghs::transportedQuantities::solve
 
     const auto terms = [&](const word& name)
     {
-        return parcels.isFelt() ? parcels.terms(name) : exchangeTerms();
+        return cloud.isFelt() ? cloud.terms(name) : exchangeTerms();
     };
 
     for (transported& quantity : quantities_)

@@ -5,7 +5,7 @@
 
 #include "cellRings.H"
 #include "wallSurfaces.H"
-#include "transport.H"
+#include "meshFreedom.H"
 #include "emptyPolyPatch.H"
 #include "processorPolyPatch.H"
 #include "cyclicPolyPatch.H"
@@ -519,7 +519,7 @@ Foam::cghs::cellRings::cellRings
     (
         mesh,
         surfacesOf(mesh, goesOn_),
-        transport::periods(mesh)
+        periods(mesh)
     );
     walls.findThin(tolerance_);
 

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "feeding.H"
+#include "meshFreedom.H"
 #include "PstreamReduceOps.H"
 
 // * * * * * * * * * * * * * * * Construction  * * * * * * * * * * * * * * * //
@@ -16,7 +17,7 @@ Foam::cghs::feeding::feeding
 )
 :
     feeders_(),
-    periods_(transport::periods(mesh)),
+    periods_(periods(mesh)),
     nextId_(-1)
 {
     for (const entry& e : cloudProperties.subOrEmptyDict("feeding"))
@@ -68,7 +69,7 @@ void Foam::cghs::feeding::recycle(transport& cells)
         return;
     }
 
-    for (const departure& parcel : cells.collectDepartures())
+    for (const departure& parcel : cells.gone().collect())
     {
         for (feeder& f : feeders_)
         {

@@ -55,7 +55,7 @@ Foam::labelList Foam::cghs::cloudFunctionObject::exitPatches
 ) const
 {
     const polyBoundaryMesh& all = mesh_.boundaryMesh();
-    const transport& stage = theCloud().transportStage();
+    const parcelBoundary& boundary = theCloud().transportStage().boundary();
     const wordList wanted(dict.get<wordList>("patches"));
 
     labelList patches(wanted.size());
@@ -64,12 +64,12 @@ Foam::labelList Foam::cghs::cloudFunctionObject::exitPatches
     {
         patches[i] = all.findPatchID(wanted[i]);
 
-        if (patches[i] < 0 || !stage.escapes(patches[i]))
+        if (patches[i] < 0 || !boundary.escapes(patches[i]))
         {
             DynamicList<word> valid;
             forAll(all, patchi)
             {
-                if (stage.escapes(patchi))
+                if (boundary.escapes(patchi))
                 {
                     valid.append(all[patchi].name());
                 }

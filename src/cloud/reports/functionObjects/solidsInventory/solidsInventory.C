@@ -139,7 +139,7 @@ Foam::wordList Foam::cghs::solidsInventory::names() const
 
 Foam::scalarField Foam::cghs::solidsInventory::flownSoFar() const
 {
-    const scalarField& escaped = theCloud().transportStage().massEscapedBy();
+    const scalarField& escaped = theCloud().transportStage().gone().massBy();
     DynamicList<scalar> flown;
 
     for (const label patchi : patches_)
