@@ -14,7 +14,10 @@ import measure as ms
 
 ROUNDS = (1, 2, 3)
 N, CELLS = 10**5, 13310
-NOT_OURS = ("cghs::fluid", "cghs::energy", "cghs::report", "other")
+NOT_OURS = ("cghs::fluid", "cghs::energy", "cghs::species",
+            "cghs::report", "other")
+# Parts whose cost is a figure of its own
+ALONE = dict(hot=("heat",), reacting=("reactions",))
 
 
 def memory(bed):
@@ -37,6 +40,6 @@ for scene in sys.argv[1:]:
     ms.figure(f"scenes.{scene}.nsPerParcelStep", ms.median(ns))
     ms.figure(f"scenes.{scene}.bytesPerParcel",
               (memory(scene) - memory(scene + ".sparse"))/9e4)
-    if scene == "hot":
-        ms.figure("scenes.hot.nsOfHeat", ms.median(
-            [1e9*p.seconds["cghs::heat"]/(N*steps) for p in profiles]))
+    for part in ALONE.get(scene, ()):
+        ms.figure(f"scenes.{scene}.nsOf{part.capitalize()}", ms.median(
+            [1e9*p.seconds[f"cghs::{part}"]/(N*steps) for p in profiles]))
