@@ -337,7 +337,9 @@ Foam::scalar Foam::cghs::reactingCell::temperatureOf
         const scalar next = min(max(T + missing/C, coldest), hottest);
         const scalar change = mag(next - T);
         T = next;
-        if (change < 1e-12*T)
+
+        // What is left is by its square
+        if (change < 1e-7*T)
         {
             break;
         }
