@@ -43,8 +43,7 @@ Foam::cghs::heat::heat(const dictionary& dict, const fvMesh& mesh)
     deltaT_(1),
     meets_(false),
     twoWay_(false),
-    flows_(blockSize_),
-    Nu_(blockSize_),
+    Nu_(parcelFlows::blockSize),
     balance_(),
     fromFluid_(balance_.open("fluid")),
     fed_(balance_.open("fed")),
@@ -234,9 +233,6 @@ void Foam::cghs::heat::meet(const arena& parcels, carrierFluid& fluid)
     wallHeat_.meet(fluid);
     conduction_.meet(parcels, fluid);
 
-    const scalarField& alpha = fluid.alpha();
-    const scalarField& rho = fluid.rho();
-    const scalarField& mu = fluid.mu();
     const scalarField& Cp = fluid.field("Cp");
     const scalarField& kappa = fluid.field("kappa");
 
@@ -248,17 +244,13 @@ void Foam::cghs::heat::meet(const arena& parcels, carrierFluid& fluid)
         fluid.field("G");
     }
 
-    U_ = fluid.U().primitiveField();
     fluidT_ = fluid.field("T").primitiveField();
-    fluid_.setSize(mesh_.nCells());
+    flows_.meet(fluid);
 
-    forAll(fluid_, celli)
+    forAll(fluidT_, celli)
     {
-        heatedFlow& f = fluid_[celli];
+        heatedFlow& f = flows_.fluid()[celli];
 
-        f.e = alpha[celli];
-        f.rho = rho[celli];
-        f.mu = mu[celli];
         f.Cp = Cp[celli];
         f.kappa = kappa[celli];
     }
@@ -269,29 +261,18 @@ void Foam::cghs::heat::findResponses
 (
     const arena& parcels,
     const label from,
-    const label n,
+    const UList<heatedFlow>& flows,
     const scalar deltaT
 )
 {
-    const UList<label>& places = parcels.places();
+    SubList<scalar> Nu(Nu_, flows.size());
+    law_->nusselts(flows, Nu);
 
-    for (label j = 0; j < n; ++j)
-    {
-        const label placei = places[from + j];
-
-        flows_[j] = fluid_[placei];
-        flows_[j].u = mag(U_[placei] - parcels.motions[from + j].v);
-        flows_[j].d = parcels.diameters[from + j];
-    }
-
-    SubList<scalar> Nu(Nu_, n);
-    law_->nusselts(SubList<heatedFlow>(flows_, n), Nu);
-
-    for (label j = 0; j < n; ++j)
+    forAll(flows, j)
     {
         const label i = from + j;
         const scalar k =
-            parcels.weights[i]*convectiveConductance(flows_[j], Nu[j]);
+            parcels.weights[i]*convectiveConductance(flows[j], Nu[j]);
 
         responses_[i] =
             reacting()
@@ -320,20 +301,16 @@ void Foam::cghs::heat::evolve(arena& parcels, const scalar deltaT)
 
     balance_.add(fromFlux_, wallHeat_.give(parcels, T_, Cp_, deltaT));
 
-    parcels.visiting.fetch(fluid_);
-    parcels.visiting.fetch(U_);
     parcels.visiting.fetch(fluidT_);
-
-    for (label from = 0; from < parcels.size(); from += blockSize_)
-    {
-        findResponses
-        (
-            parcels,
-            from,
-            min(blockSize_, parcels.size() - from),
-            deltaT
-        );
-    }
+    flows_.fetch(parcels);
+    flows_.forBlocks
+    (
+        parcels,
+        [&](const label from, const UList<heatedFlow>& flows)
+        {
+            findResponses(parcels, from, flows, deltaT);
+        }
+    );
 
     if (radiation_.valid() && !reacting())
     {
