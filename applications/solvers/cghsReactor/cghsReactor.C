@@ -32,7 +32,8 @@ Usage
             d               60e-6;
             rho             1500;       // to find the room of the fluid
             heatTransfer    500;        // fluid to surface [W/m^2/K]
-            massTransfer    0.1;        // through films [m/s]; if a law asks
+            massTransfer    0.1;        // through films, if a law asks [m/s]: a
+                                        // constant, as there is no slip here
             T               912;
             Y               { C 0.0036; H 0.0003; catalyst 0.9961; }
             feed            { massFlowRate 22.7; T 753; Y { ... } }

@@ -44,7 +44,10 @@ Foam::cghs::parcelInventory::parcelInventory
     (
         scheme.energetic() ? positiveScalar(dict, "heatTransfer") : 0
     ),
-    massTransfer_(dict.getOrDefault<scalar>("massTransfer", GREAT)),
+    massTransfer_
+    (
+        scheme.askingForFilm().size() ? positiveScalar(dict, "massTransfer") : 0
+    ),
     feedRate_(0),
     feedT_(0),
     due_(0),

@@ -34,13 +34,32 @@ Foam::cghs::heatTransferModel::New(const dictionary& subModels)
 }
 
 
+Foam::autoPtr<Foam::cghs::heatTransferModel>
+Foam::cghs::heatTransferModel::New
+(
+    const word& name,
+    const dictionary& subModels
+)
+{
+    return selectNamed<heatTransferModel>
+    (
+        name,
+        subModels,
+        *dictionaryConstructorTablePtr_
+    );
+}
+
+
 Foam::wordList Foam::cghs::heatTransferModel::names()
 {
     return dictionaryConstructorTablePtr_->sortedToc();
 }
 
 
-bool Foam::cghs::heatTransferModel::warnOutsideRange() const
+bool Foam::cghs::heatTransferModel::warnOutsideRange
+(
+    const string& what
+) const
 {
-    return asked_.warn("Law of convection " + type(), range());
+    return asked_.warn("Law of " + what + ' ' + type(), range());
 }

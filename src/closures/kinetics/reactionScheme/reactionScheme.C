@@ -98,6 +98,26 @@ Foam::cghs::reactionScheme::reactionScheme
 }
 
 
+Foam::wordList Foam::cghs::reactionScheme::askingForFilm() const
+{
+    DynamicList<word> asking;
+
+    for (const reaction& r : inParticles_)
+    {
+        bool asks = false;
+        for (const rateArgument& a : r.law().arguments())
+        {
+            asks = asks || a.what == rateArgument::film;
+        }
+        if (asks)
+        {
+            asking.append(r.name());
+        }
+    }
+    return wordList(asking);
+}
+
+
 void Foam::cghs::reactionScheme::report(Ostream& os) const
 {
     for (const PtrList<reaction>* place : {&inParticles_, &inFluid_})

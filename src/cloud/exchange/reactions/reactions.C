@@ -67,12 +67,7 @@ Foam::cghs::reactions::reactions(const dictionary& dict, const fvMesh& mesh)
     coeffs_(dict),
     scheme_(readScheme(mesh, energetic(dict))),
     cell_(scheme_(), reactingCell::readTolerances(dict)),
-    massTransfer_
-    (
-        dict.found("massTransfer")
-      ? positiveScalar(dict, "massTransfer")
-      : GREAT
-    ),
+    film_(dict, scheme_->askingForFilm()),
     leastDiameter_
     (
         dict.found("leastDiameter")
@@ -286,6 +281,15 @@ void Foam::cghs::reactions::meet(const arena& parcels, carrierFluid& fluid)
       ? fluid.field("T").primitiveField()
       : scalarField(T_.size(), coeffs_.get<scalar>("T"));
 
+    if (film_.varies())
+    {
+        flows_.meet(fluid);
+        for (heatedFlow& f : flows_.fluid())
+        {
+            film_.setDiffusing(f);
+        }
+    }
+
     forAll(scheme_->fluid(), k)
     {
         const substance& s = scheme_->fluid()[k];
@@ -382,6 +386,33 @@ Foam::cghs::reactions::bodiesOf(const arena& parcels) const
 }
 
 
+void Foam::cghs::reactions::setFilms
+(
+    const arena& parcels,
+    scalarField& bodies
+)
+{
+    const label width = bodyWidth();
+    scalarField film(parcelFlows::blockSize);
+
+    flows_.fetch(parcels);
+    flows_.forBlocks
+    (
+        parcels,
+        [&](const label from, const UList<heatedFlow>& flows)
+        {
+            SubList<scalar> k(film, flows.size());
+            film_.coefficients(flows, k);
+
+            forAll(k, j)
+            {
+                bodies[width*(from + j) + filmPart()] = k[j];
+            }
+        }
+    );
+}
+
+
 bool Foam::cghs::reactions::isSpent(const scalar* body) const
 {
     const UList<scalar> n(const_cast<scalar*>(body + 3), nSolids());
@@ -435,7 +466,7 @@ void Foam::cghs::reactions::react
         body.d = b[1];
         body.T = heat_ ? b[heatPart()] : T_[celli];
         body.conductance = heat_ ? b[heatPart() + 1] : 0;
-        body.film = massTransfer_;
+        body.film = film_.varies() ? b[filmPart()] : film_.constant();
         cell_.add(body, SubList<scalar>(bodies, nSolids(), width*i + 3));
     }
 
@@ -577,6 +608,10 @@ void Foam::cghs::reactions::evolve(arena& parcels, const scalar deltaT)
 
     // Parcels that are in cells of this rank, and visitors behind them
     scalarField bodies(bodiesOf(parcels));
+    if (film_.varies())
+    {
+        setFilms(parcels, bodies);
+    }
     const scalarField guests(parcels.visiting.toHosts(bodies, bodyWidth()));
     const label nOwn = parcels.size();
     bodies.append(guests);
@@ -806,6 +841,10 @@ void Foam::cghs::reactions::complete
         }
     }
 
+    if (film_.varies())
+    {
+        film_.warnOutsideRange();
+    }
     close(parcels, deltaT);
 }
 
