@@ -257,6 +257,7 @@ int main(int argc, char *argv[])
                 << exit(FatalError);
         }
 
+        vessel.warnOfRanges();
         parcels.take(vessel, deltaT);
         fluid = SubList<scalar>(vessel.fluidState(), species.size());
         fluidT = vessel.fluidTemperature();

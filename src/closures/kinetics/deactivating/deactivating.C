@@ -38,26 +38,45 @@ Foam::cghs::deactivating::deactivating
     arrhenius_(dict),
     driving_(dict),
     alpha_(scalarInRange(dict, "alpha", 0, 1e3)),
+    upTo_(dict.getOrDefault<scalar>("upTo", 9)),
     catalystM_(0),
     cokeM_(0),
+    solids_(equation.solids()),
+    catalyst_(-1),
+    coke_(-1),
     reactantAt_(-1),
     catalystAt_(-1),
     cokeAt_(-1),
+    massAt_(-1),
     temperatureAt_(-1),
     fluidTemperatureAt_(-1)
 {
+    checkPositive(dict, "upTo", upTo_);
+
     const label k = fluidReactant(dict, "reactant", equation);
     reactantAt_ = need(dict, rateArgument::fluid, k);
 
-    const auto solid = [&](const char* entry, scalar& M)
+    const auto solid = [&](const char* entry, label& s, scalar& M)
     {
-        const word name(dict.get<word>(entry));
-        const label s = solidIndex(dict, entry, name, equation);
+        s = solidIndex(dict, entry, dict.get<word>(entry), equation);
         M = equation.solids()[s].M();
         return need(dict, rateArgument::solid, s);
     };
-    catalystAt_ = solid("catalyst", catalystM_);
-    cokeAt_ = solid("coke", cokeM_);
+    catalystAt_ = solid("catalyst", catalyst_, catalystM_);
+    cokeAt_ = solid("coke", coke_, cokeM_);
+
+    const word whole(dict.getOrDefault<word>("cokeOf", "catalyst"));
+    if (whole == "particle")
+    {
+        massAt_ = need(dict, rateArgument::mass);
+    }
+    else if (whole != "catalyst")
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry cokeOf is " << whole << nl
+            << "Valid choices: catalyst (without its coke), particle" << nl
+            << exit(FatalIOError);
+    }
 
     if (arrhenius_.varies())
     {
@@ -77,6 +96,16 @@ bool Foam::cghs::deactivating::follows(const rateArgument& reactant) const
 }
 
 
+Foam::scalar Foam::cghs::deactivating::asked(const UList<scalar>& solids) const
+{
+    // A particle without catalyst makes nothing
+    const scalar m = solids[catalyst_]*catalystM_;
+    const scalar whole = massAt_ < 0 ? m : solids_.massOf(solids);
+
+    return m > 0 ? 100*cokeM_*solids[coke_]/whole : 0;
+}
+
+
 template<class Number>
 Number Foam::cghs::deactivating::activity(const Number& w) const
 {
@@ -92,9 +121,10 @@ template<class Number>
 Number Foam::cghs::deactivating::law(const Number* x) const
 {
     const Number m(x[catalystAt_]*catalystM_);
+    const Number whole(massAt_ < 0 ? m : x[massAt_]);
     const Number w
     (
-        100*cokeM_*atLeastZero(x[cokeAt_])/(atLeastZero(m) + least)
+        100*cokeM_*atLeastZero(x[cokeAt_])/(atLeastZero(whole) + least)
     );
 
     const Number T(argumentOr(x, temperatureAt_, 300));

@@ -7,6 +7,8 @@
 #include "checkedEntry.H"
 #include "drivingUnit.H"
 #include "mathematicalConstants.H"
+#include "ops.H"
+#include "PstreamCombineReduceOps.H"
 
 #include <algorithm>
 #include <cmath>
@@ -83,6 +85,7 @@ Foam::cghs::reactingCell::reactingCell
     volumeGain_(nReactions_, 0),
     solidGain_(nSolids_*nReactions_, 0),
     carriers_(nReactions_),
+    warned_(false),
     n_(nSolids_, 0),
     looked_(-1),
     lookedX_(nReactions_ + nEnergies_, 0),
@@ -105,6 +108,11 @@ Foam::cghs::reactingCell::reactingCell
         if (scheme.constantDensity())
         {
             volumeGain_[r] = scheme.solids().volumeOf(gain);
+        }
+        if (!scheme.inParticles()[r].law().ranges().empty())
+        {
+            ranged_.append(r);
+            asked_.append(0);
         }
     }
 
@@ -234,6 +242,7 @@ bool Foam::cghs::reactingCell::react(const scalar deltaT, scalar& h)
         {
             amounts_[i*nSolids_ + s] = max(n_[s], scalar(0));
         }
+        noteRanges(amounts(i));
         if (nEnergies_)
         {
             enthalpy_[i] += x[nReactions_];
@@ -241,6 +250,42 @@ bool Foam::cghs::reactingCell::react(const scalar deltaT, scalar& h)
     }
     looked_ = -1;
     return true;
+}
+
+
+void Foam::cghs::reactingCell::noteRanges(const UList<scalar>& amounts)
+{
+    forAll(ranged_, k)
+    {
+        const kineticLaw& law = scheme_.inParticles()[ranged_[k]].law();
+        asked_[k] = max(asked_[k], law.asked(amounts));
+    }
+}
+
+
+void Foam::cghs::reactingCell::warnOfRanges()
+{
+    if (warned_ || ranged_.empty())
+    {
+        return;
+    }
+    Pstream::listCombineGather(asked_, maxEqOp<scalar>());
+    Pstream::listCombineScatter(asked_);
+
+    forAll(ranged_, k)
+    {
+        const reaction& r = scheme_.inParticles()[ranged_[k]];
+        if (!warned_ && asked_[k] > r.law().upTo())
+        {
+            warned_ = true;
+            WarningInFunction
+                << "Reaction " << r.name() << " was asked at "
+                << r.law().ranges().c_str() << ' ' << asked_[k]
+                << " but its law is made for up to " << r.law().upTo() << '.'
+                << nl << "    It is extrapolated; this is said once, for all"
+                << " reactions" << nl << endl;
+        }
+    }
 }
 
 

@@ -644,6 +644,7 @@ void Foam::cghs::reactions::evolve(arena& parcels, const scalar deltaT)
         }
     }
 
+    cell_.warnOfRanges();
     parcels.visiting.fromHosts
     (
         SubList<scalar>(bodies, guests.size(), nOwn*bodyWidth()),
