@@ -11,15 +11,16 @@
 #     mixed       each bit of it has its own age and coke, and goes out by lot.
 #
 #     Gas is well mixed and has no memory: it is renewed in a second, coke grows
-#     in hours. Of methanol comes in n_0 [mol/s], C [mol/m3] is in the reactor, and
-#     K = m <k phi> [m3/s] are the rates on m kg of catalyst; Q is the volume that
-#     flows out, of as many moles as come in and are made:
+#     in hours. Of methanol comes in n_0 [mol/s], C [mol/m3] is in the reactor,
+#     and K = m <k phi> [m3/s] are the rates on m kg of catalyst; Q is the
+#     volume that flows out, of as many moles as come in and are made:
 #
 #         n_0 = C (sum K + Q),    Q = (N_0 + C sum K nu) R T/p
 #
-#     Catalyst without coke comes in with F [kg/s] and its inventory is m, so that
-#     in a steady reactor ages have the density exp(-t/tau)/tau, tau = m/F. Run by
-#     itself it prints the steady limits, and what the plant's numbers ask for:
+#     Catalyst without coke comes in with F [kg/s] and its inventory is m, so
+#     that in a steady reactor ages have the density exp(-t/tau)/tau, tau = m/F.
+#     Run by itself it prints the steady limits, and what the plant's numbers
+#     ask for:
 #
 #         python3 limits.py
 # ------------------------------------------------------------------------------
@@ -40,8 +41,8 @@ COKE = LUMPS.index("coke")
 
 
 def of_total(w):
-    """Coke by mass of all [%] from that on the catalyst [g/100 g]; the other way
-    round it is on_catalyst."""
+    """Coke by mass of all [%] from that on the catalyst [g/100 g]; the other
+    way round it is on_catalyst."""
     return 100*w/(100 + w)
 
 
@@ -95,8 +96,8 @@ class Stirred:
         return (i.volume - i.inventory/i.density)/Q
 
     def products(self, K):
-        """Of K of each lump: conversion, shares of hydrocarbon gas by mass, coke
-        made [kg/s], share of methanol's carbon in each lump [-]."""
+        """Of K of each lump: conversion, shares of hydrocarbon gas by mass,
+        coke made [kg/s], share of methanol's carbon in each lump [-]."""
         C, turned = self.gas(K)
         mass = turned*self.mass
         shares = np.where(IS_GAS, mass, 0)/mass[IS_GAS].sum()
@@ -119,7 +120,8 @@ class Stirred:
         low, high = self.fresh_coke, 30.0
         for _ in range(60):
             w = 0.5*(low + high)
-            low, high = (w, high) if self.alike_at(w)["surplus"] > 0 else (low, w)
+            more = self.alike_at(w)["surplus"] > 0
+            low, high = (w, high) if more else (low, w)
         return self.alike_at(w)
 
     def alike_over_time(self, end, dt=20.0):
@@ -182,8 +184,9 @@ class Stirred:
                     away=self.fresh*(mean - self.fresh_coke)/100)
 
     def mixed_over_time(self, end, dt=20.0, at=()):
-        """Times [s], coke by mass of all [%]; and at some times the coke by mass
-        of all [%] of bits of catalyst, their mass [-], whether they came in."""
+        """Times [s], coke by mass of all [%]; and at some times the coke by
+        mass of all [%] of bits of catalyst, their mass [-], whether they came
+        in."""
         i = self.inputs
         w = np.array([on_catalyst(100*i.start)])
         m = np.array([i.inventory/(1 + w[0]/100)])

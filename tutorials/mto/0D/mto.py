@@ -3,9 +3,9 @@
 # Licence: GPL-3.0-or-later, see the file LICENSE
 #
 # Description
-#     The run of the stirred reactor for methanol to olefins: its table over time,
-#     its parcels at the times that were written, and the numbers of the chapter
-#     and of the plant that it is shown beside.
+#     The run of the stirred reactor for methanol to olefins: its table over
+#     time, its parcels at the times that were written, and the numbers of the
+#     chapter and of the plant that it is shown beside.
 # ------------------------------------------------------------------------------
 """Reading the run of the stirred reactor."""
 
