@@ -92,6 +92,14 @@ void Foam::cghs::cokeCombustion::readRatio(const dictionary& dict)
 }
 
 
+Foam::wordList Foam::cghs::cokeCombustion::entries() const
+{
+    wordList names(massAction::entries());
+    names.append(wordList({"product", "ratio"}));
+    return names;
+}
+
+
 Foam::scalar Foam::cghs::cokeCombustion::share
 (
     const scalar* x,

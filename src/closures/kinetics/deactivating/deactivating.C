@@ -89,6 +89,17 @@ Foam::cghs::deactivating::deactivating
 }
 
 
+Foam::wordList Foam::cghs::deactivating::entries() const
+{
+    wordList names(arrhenius::entries());
+    names.append
+    (
+        wordList({"reactant", "catalyst", "coke", "alpha", "driving"})
+    );
+    return names;
+}
+
+
 bool Foam::cghs::deactivating::follows(const rateArgument& reactant) const
 {
     return

@@ -121,3 +121,14 @@ Foam::cghs::enthalpyModel::New(const word& modelType, const dictionary& dict)
 
     return cstrIter()(dict);
 }
+
+
+Foam::wordList Foam::cghs::enthalpyModel::entries()
+{
+    return
+        wordList
+        ({
+            "Cp", "Hf", "Sf", "CpCoeffs<8>", "Tlow", "Thigh", "Tcommon",
+            "lowCpCoeffs", "highCpCoeffs"
+        });
+}

@@ -83,6 +83,16 @@ void Foam::cghs::ionExchange::readCation
 }
 
 
+Foam::wordList Foam::cghs::ionExchange::entries() const
+{
+    return
+        wordList
+        ({
+            "solid", "fresh", "cation", "experiment", "A", "Ea", "power"
+        });
+}
+
+
 bool Foam::cghs::ionExchange::follows(const rateArgument& reactant) const
 {
     return

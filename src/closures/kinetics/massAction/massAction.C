@@ -221,6 +221,14 @@ void Foam::cghs::massAction::readCutOff
 }
 
 
+Foam::wordList Foam::cghs::massAction::entries() const
+{
+    wordList names(arrhenius::entries());
+    names.append(wordList({"of", "driving", "orders", "cutOff"}));
+    return names;
+}
+
+
 bool Foam::cghs::massAction::follows(const rateArgument& reactant) const
 {
     bool does =

@@ -5,6 +5,7 @@
 
 #include "reaction.H"
 #include "checkedEntry.H"
+#include "knownEntries.H"
 
 
 Foam::cghs::reaction::reaction
@@ -34,7 +35,24 @@ Foam::cghs::reaction::reaction
             << exit(FatalIOError);
     }
 
+    warnUnknown(dict);
     findLimits();
+}
+
+
+void Foam::cghs::reaction::warnUnknown(const dictionary& dict) const
+{
+    const wordList ofLaw(law_->entries());
+    if (ofLaw.size())
+    {
+        wordList known
+        ({
+            "equation", "lumped", "remainder", "rate", "heatToFluid",
+            "vanishing"
+        });
+        known.append(ofLaw);
+        warnUnknownEntries(dict, known);
+    }
 }
 
 

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "reactionScheme.H"
+#include "knownEntries.H"
 
 namespace Foam
 {
@@ -54,6 +55,28 @@ static bool readSize(const dictionary& dict, const substances& solids)
     return constantDensity;
 }
 
+
+static void warnUnknown(const dictionary& dict)
+{
+    wordList known({"solids", "solidThermo", "size", "reactions", "species"});
+
+    // Of a liquid
+    const wordList species(dict.getOrDefault("species", wordList()));
+    for (const word& name : species)
+    {
+        substance::warnUnknown(dict.subOrEmptyDict(name));
+    }
+    known.append(species);
+
+    for (const entry& solid : dict.subOrEmptyDict("solids"))
+    {
+        substance::warnUnknown(solid.dict());
+    }
+
+    // Others may be variables
+    warnUnknownEntries(dict, known, true);
+}
+
 } // End namespace cghs
 } // End namespace Foam
 
@@ -82,6 +105,8 @@ Foam::cghs::reactionScheme::reactionScheme
     ),
     constantDensity_(readSize(dict, solids_))
 {
+    warnUnknown(dict);
+
     const dictionary& list = dict.subDict("reactions");
 
     for (const entry& e : list)

@@ -114,12 +114,19 @@ void Foam::cghs::shrinkingCore::readSurface(const dictionary& dict)
 {
     if (dict.found("surface"))
     {
+        warnUnknownEntries(dict.subDict("surface"), arrhenius::entries());
         surface_.reset(new arrhenius(dict.subDict("surface")));
         if (surface_->varies())
         {
             temperatureAt_ = need(dict, rateArgument::temperature);
         }
     }
+}
+
+
+Foam::wordList Foam::cghs::shrinkingCore::entries() const
+{
+    return wordList({"reactant", "film", "layer", "surface"});
 }
 
 

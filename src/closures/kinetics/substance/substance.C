@@ -5,6 +5,7 @@
 
 #include "substance.H"
 #include "checkedEntry.H"
+#include "knownEntries.H"
 #include "atomicWeights.H"
 
 
@@ -87,4 +88,25 @@ Foam::cghs::substance::substance
             h0_ = M_*enthalpy_->h(T) - Cp_*T;
         }
     }
+}
+
+
+void Foam::cghs::substance::warnUnknown(const dictionary& dict)
+{
+    const auto warn = [&](const word& part, const wordList& known)
+    {
+        if (dict.isDict(part))
+        {
+            warnUnknownEntries(dict.subDict(part), known);
+        }
+    };
+    warn("specie", wordList({"molWeight"}));
+    warn("equationOfState", wordList({"rho"}));
+    warn("thermodynamics", enthalpyModel::entries());
+
+    warnUnknownEntries
+    (
+        dict,
+        wordList({"elements", "specie", "thermodynamics", "equationOfState"})
+    );
 }
