@@ -106,7 +106,7 @@ def final_temperature(case):
 
 def contents(case, time, V):
     """Mass of carbon, oxygen and all [kg] and internal energy [J] in cells of
-    volume V, which must have been solved in that form; and what of the energy is
+    volume V, which must have been solved in that form; and what of it is
     thermal."""
     alpha, rho, e = (of.field(case.folder, time, f)
                      for f in ("alpha", "rho", "e"))
