@@ -139,6 +139,16 @@ class Case:
     def run(self, *command):
         run(self.folder, *command)
 
+    def expand(self):
+        """OpenFOAM itself cannot read #include with collated files."""
+        for path in sorted([*self.folder.glob("[c0s]*/*")]):
+            if path.is_file() and "#include" in path.read_text():
+                text = subprocess.run(
+                    ["foamDictionary", "-expand", str(path)],
+                    env=environment(self.folder), capture_output=True,
+                    text=True, check=True).stdout
+                path.write_text(text[text.index("FoamFile"):])
+
     # The parcels
 
     def fill(self, **parameters):

@@ -157,13 +157,23 @@ def _entry(text, name):
 # Fields of the mesh
 
 
+def _on_rank(folder, name):
+    """Values of a rank's cells, whose number is a note in a file of its mesh."""
+    text = read(folder / name)
+    values = _entry(text, "internalField")
+    if not re.search(r"\binternalField\s+uniform\b", text):
+        return values
+    owner = (folder.parent / "constant/polyMesh/owner").read_bytes()
+    n = int(re.search(rb"nCells:\s*(\d+)", owner)[1])
+    return np.broadcast_to(values, (n, *np.shape(values)))
+
+
 def field(case, time, name):
     """Cell values of a field, or the one value of a uniform field."""
-    parts = [
-        _entry(read(folder / name), "internalField")
-        for folder in _folders(case, time)
-    ]
-    return parts[0] if len(parts) == 1 else np.concatenate(parts)
+    folders = _folders(case, time)
+    if len(folders) == 1:
+        return _entry(read(folders[0] / name), "internalField")
+    return np.concatenate([_on_rank(folder, name) for folder in folders])
 
 
 def patch_field(case, time, name, patch):

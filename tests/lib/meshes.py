@@ -4,8 +4,8 @@
 #
 # Description
 #     Meshes of a box that are not made of regular hexahedra, for the cases of
-#     cghsCase. All of the boundary is the patch walls. Needs OpenFOAM's
-#     gmshToFoam, topoSet and createBaffles.
+#     cghsCase. All of the boundary is the patch walls; and a wedge. Needs
+#     OpenFOAM's gmshToFoam, topoSet and createBaffles.
 # ------------------------------------------------------------------------------
 """Meshes of hexahedra, prisms, tetrahedra and polyhedra; thin walls in them."""
 
@@ -69,6 +69,33 @@ def polyhedra(case, size, cells):
     """The dual of tetrahedra."""
     pieces(case, size, cells, TETS)
     case.run("polyDualMesh", "60", "-overwrite")
+
+
+WEDGE = """
+vertices ((0 0 0) (1 0 0) (1 RC -RS) (0 RC -RS) (0 RC RS) (1 RC RS));
+blocks (hex (0 1 2 3 0 1 5 4) (CELLS 1) simpleGrading (1 1 1));
+boundary
+(
+    xMin { type wall; faces ((0 4 3 0)); }
+    xMax { type wall; faces ((1 2 5 1)); }
+    yMax { type wall; faces ((3 4 5 2)); }
+    zMin { type wedge; faces ((0 3 2 1)); }
+    zMax { type wedge; faces ((0 1 5 4)); }
+    axis { type empty; faces ((0 1 1 0)); }
+);
+"""
+
+
+def wedge(case, cells):
+    """Of 5 degrees about the x axis, 1 m long and wide, in so many cells along
+    and across it."""
+    angle = np.radians(2.5)
+    (case.folder/"system/blockMeshDict").write_text(
+        HEAD.format("blockMeshDict")
+        + WEDGE.replace("RC", f"{np.cos(angle):.15g}")
+        .replace("RS", f"{np.sin(angle):.15g}")
+        .replace("CELLS", f"{cells[0]} {cells[1]}"))
+    case.run("blockMesh")
 
 
 def _sets(*actions):
