@@ -201,7 +201,7 @@ beginOrContinue()
 showProgress()
 {
     local line
-    line="$(tail -c 4000 log.cghsFoam | awk '
+    line="$(tail -c 20000 log.cghsFoam | awk '
         /^Time = / { t = $3 } /^progress / { p = $0 }
         END { if (p != "") printf "t = %.3f s, %s", t, p }')"
     [ -n "$line" ] || return 0
