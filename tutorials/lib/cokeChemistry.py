@@ -86,6 +86,8 @@ class Chemistry:
             self.coefficients[name] = [
                 [value(text, "Hf"), value(text, "Cp")]]
             return
+        if "lowCpCoeffs" not in text:
+            return      # At a temperature that is given
         self.common[name] = value(text, "Tcommon")
         self.coefficients[name] = [
             self._janaf(text, entry, self.M[name])
