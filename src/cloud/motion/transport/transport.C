@@ -53,6 +53,14 @@ void Foam::cghs::transport::reflect
 }
 
 
+bool Foam::cghs::transport::holds(const label facei) const
+{
+    return
+        facei != -1
+     && boundary_.stops(mesh_.boundaryMesh().whichPatch(facei));
+}
+
+
 void Foam::cghs::transport::turnBack
 (
     arena& parcels,
@@ -465,24 +473,23 @@ Foam::cghs::transport::report Foam::cghs::transport::move
         maxDistanceSqr = max(maxDistanceSqr, magSqr(path));
         maxRateSqr = max(maxRateSqr, magSqr(v)/sqr(2*s.r));
 
-        const label facei = locator_.follow(s.x, parcels.cells[i]);
+        label facei = locator_.follow(s.x, parcels.cells[i]);
 
-        if (facei != -1)
+        // Back from walls, of which a corner has three at most. Beside one the
+        // cell may end, too
+        for (label wall = 0; wall < 3 && holds(facei); ++wall)
         {
-            const label patchi = mesh_.boundaryMesh().whichPatch(facei);
+            turnBack(parcels, i, facei);
+            facei = locator_.follow(s.x, parcels.cells[i]);
+        }
 
-            if (boundary_.stops(patchi))
-            {
-                turnBack(parcels, i, facei);
-            }
-            else
-            {
-                crossed = true;
+        if (facei != -1 && !holds(facei))
+        {
+            crossed = true;
 
-                if (visitors_.leadTo(facei))
-                {
-                    beyond.append(labelPair(i, facei));
-                }
+            if (visitors_.leadTo(facei))
+            {
+                beyond.append(labelPair(i, facei));
             }
         }
     }
