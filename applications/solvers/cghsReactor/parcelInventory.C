@@ -6,7 +6,36 @@
 #include "parcelInventory.H"
 #include "massFractions.H"
 #include "checkedEntry.H"
+#include "filmTransfer.H"
 #include "mathematicalConstants.H"
+
+namespace Foam
+{
+namespace cghs
+{
+
+//- Of the entry massTransfer, by which no flow can go here [m/s]
+static scalar constantFilm
+(
+    const dictionary& dict,
+    const reactionScheme& scheme
+)
+{
+    const filmTransfer film(dict, scheme.askingForFilm());
+
+    if (film.varies())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry massTransfer is a law of the flow, but nothing flows past"
+            << " particles in a stirred vessel" << nl
+            << "Write it as a number [m/s], e.g. massTransfer 0.1;" << nl
+            << exit(FatalIOError);
+    }
+    return film.constant();
+}
+
+} // End namespace cghs
+} // End namespace Foam
 
 
 Foam::cghs::parcelInventory::parcelInventory(const reactionScheme& scheme)
@@ -44,10 +73,7 @@ Foam::cghs::parcelInventory::parcelInventory
     (
         scheme.energetic() ? positiveScalar(dict, "heatTransfer") : 0
     ),
-    massTransfer_
-    (
-        scheme.askingForFilm().size() ? positiveScalar(dict, "massTransfer") : 0
-    ),
+    massTransfer_(constantFilm(dict, scheme)),
     feedRate_(0),
     feedT_(0),
     due_(0),

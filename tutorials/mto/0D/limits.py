@@ -51,12 +51,13 @@ def on_catalyst(Y):
 
 
 class Stirred:
-    """The reactor of a case. by_total: phi takes coke by mass of all."""
+    """The reactor of a case. by_total: phi takes coke by mass of all, if not as
+    the case says."""
 
-    def __init__(self, case=HERE, by_total=True):
+    def __init__(self, case=HERE, by_total=None):
         i = self.inputs = Inputs(case)
         M = i.chemistry.M
-        self.by_total = by_total
+        self.by_total = i.coke_by_total() if by_total is None else by_total
         self.A, self.alpha = i.rates()
 
         # Of one mole of methanol: grams and moles of gas, water closes the mass

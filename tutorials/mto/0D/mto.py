@@ -68,6 +68,11 @@ class Inputs:
         self.parcels = int(option(case, "nParcels",
                                   value(text, "nParcels")))
 
+    def coke_by_total(self):
+        """Do the rates take coke over the particle, not over the catalyst?"""
+        return "cokeOf" in self.chemistry.reactions and bool(
+            re.search(r"\bcokeOf\s+particle\s*;", self.chemistry.reactions))
+
     def rates(self):
         """A [m3/kg/s] and alpha of each lump."""
         texts = [block(self.chemistry.reactions,

@@ -94,7 +94,10 @@ Foam::wordList Foam::cghs::deactivating::entries() const
     wordList names(arrhenius::entries());
     names.append
     (
-        wordList({"reactant", "catalyst", "coke", "alpha", "driving"})
+        wordList
+        ({
+            "reactant", "catalyst", "coke", "cokeOf", "alpha", "driving", "upTo"
+        })
     );
     return names;
 }

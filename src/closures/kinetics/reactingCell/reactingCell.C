@@ -383,8 +383,8 @@ Foam::scalar Foam::cghs::reactingCell::temperatureOf
         const scalar change = mag(next - T);
         T = next;
 
-        // What is left is by its square
-        if (change < 1e-7*T)
+        // Polynomials have a small jump where they change: no less will do
+        if (change < 1e-12*T)
         {
             break;
         }

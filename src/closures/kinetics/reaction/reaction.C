@@ -51,7 +51,9 @@ void Foam::cghs::reaction::warnUnknown(const dictionary& dict) const
             "vanishing"
         });
         known.append(ofLaw);
-        warnUnknownEntries(dict, known);
+
+        // Others may be a user's variables, or those of a law of his own
+        warnUnknownEntries(dict, known, true);
     }
 }
 
