@@ -20,6 +20,7 @@ Description
 #include "contactStage.H"
 #include "hardSphereImpulse.H"
 #include "transport.H"
+#include "meshFreedom.H"
 #include "Random.H"
 #include "IStringStream.H"
 
@@ -202,7 +203,7 @@ int main(int argc, char *argv[])
         returnReduce(mesh.bounds().max(), maxOp<vector>())
     );
 
-    const List<vector> periods(transport::periods(mesh));
+    const List<vector> periods(cghs::periods(mesh));
 
     arena parcels(false, false);
     scatter(mesh, parcels);
@@ -213,7 +214,7 @@ int main(int argc, char *argv[])
         autoPtr<contactModel>(new impactOfAll),
         0.5,
         mesh,
-        motion.wallPatches(),
+        motion.boundary().wallPatches(),
         periods,
         vector(0, 0, -9.81)
     );
