@@ -8,7 +8,6 @@
 # ------------------------------------------------------------------------------
 """The riser: its inputs, its series in time, its means with errors."""
 
-import re
 import sys
 from pathlib import Path
 
@@ -17,8 +16,8 @@ PROJECT = next((folder for folder in Path(__file__).resolve().parents
 if PROJECT is None:
     sys.exit(f"{Path(__file__).parent} is not within a cghsFoam")
 sys.path.append(str(PROJECT / "tutorials" / "lib"))
-from tutorial import (  # noqa: E402
-    Run, columns, np, number, of, option, ranks, seconds)
+from fedRun import FedRun  # noqa: E402
+from tutorial import np, of, option, ranks, seconds  # noqa: E402
 
 RADIUS, HEIGHT = 0.152, 16.8    # [m], as the script pipes has it
 AREA = np.pi*RADIUS**2
@@ -37,19 +36,17 @@ HEIGHTS = {"Lower": 6.23, "Upper": 8.88}
 PARTS = {"bottom": (0.4, 2.4), "middle": (5.0, 12.0), "top": (16.0, 16.8)}
 
 
-class Riser(Run):
+class Riser(FedRun):
     """A run. Masses in kg."""
+
+    least_window = 1
 
     def __init__(self, case):
         super().__init__(case)
         self.name = self.case.resolve().name
-        self._taps = {}
-        if self.end - self.average_from > 1:
-            self.window = (self.average_from, self.end)
 
     def read_inputs(self):
         super().read_inputs()
-        self.read_parcels()
         self.rate = option(self.case, "massFlowRate",
                            "constant/parcelsProperties")
         molar_mass = option(self.case, "molWeight",
@@ -63,35 +60,12 @@ class Riser(Run):
 
     def read_series(self):
         super().read_series()
-        self.mass = self.parcels["mass"]
-        self.escaped = self.parcels["escapedMass"]
-        self.fed = self.parcels["fedMass"]
-        self.inlet_pressure = self.at_steps("inletPressure")
-        self.outlet_pressure = self.at_steps("outletPressure")
-        self.pressure_drop = self.inlet_pressure - self.outlet_pressure
         self.gas_in = (-self.at_steps("inletFlow")
                        - self.at_steps("sideInletFlow"))
         self.gas_out = self.at_steps("outletFlow")
         self.gas_mass = self.at_steps("gasMass")
 
-    def gas_defect(self):
-        """What of the gas has come from nowhere, over what has entered: steps
-        are implicit, so that flows hold for the step before their time."""
-        gained = self.gas_mass[-1] - self.gas_mass[0]
-        flowed = ((self.gas_in - self.gas_out)*self.dt)[1:].sum()
-        return abs(gained - flowed)/(self.gas_in*self.dt)[1:].sum()
-
     # Profiles that solidsProfiles has made
-
-    def profile(self, name):
-        """The columns of a profile by their names, of the last time written."""
-        files = sorted(
-            (self.case / "postProcessing" / "solidsProfiles").glob(
-                f"*/{name}.dat"),
-            key=lambda path: float(path.parent.name))
-        if not files:
-            return None
-        return of.columns(files[-1])
 
     def part_fraction(self, part):
         """Mean solids fraction of a part of the height, and standard error, as
@@ -111,30 +85,6 @@ class Riser(Run):
 
     # The taps along the wall
 
-    def _tap_table(self):
-        """The columns of the taps' table by their names. There is none before
-        means begin."""
-        if not self._taps:
-            self._taps = columns(self.case, "taps")
-        return self._taps
-
-    def tap_series(self, pair):
-        """Times, and what a pair of taps has shown."""
-        table = self._tap_table()
-        return table["time"], table[pair]
-
-    def tap_mean(self, pair):
-        """Mean of a pair of taps over the window, and its standard error."""
-        table = self._tap_table()
-        return table[pair + "Mean"][-1], table[pair + "Error"][-1]
-
-    def taps(self):
-        """Heights, mean pressures over that at the exit, errors."""
-        pairs = [name for name in self._tap_table()
-                 if re.match(r"z[\d.]+$", name)]
-        mean, error = np.transpose([self.tap_mean(pair) for pair in pairs])
-        return np.array([float(pair[1:]) for pair in pairs]), mean, error
-
     def apparent_voidage(self):
         """Heights between the taps, and the voidage there if the pressure's
         slope were nothing but weight."""
@@ -146,20 +96,9 @@ class Riser(Run):
 
     # Mean fields of the last time written
 
-    def last(self):
-        return self.frames[-1]
-
-    def field(self, name):
-        return np.asarray(of.field(self.case, self.last(), name))
-
     def has_means(self):
         return self.window is not None and bool(
             list((self.case / self.last()).glob("solidsAverages:*")))
-
-    def due(self):
-        """Solids that were to be fed since the start [kg]."""
-        return number(self.case / self.last()
-                      / "uniform/lagrangian/parcels/flows", "due")
 
     def scatter(self):
         """Standard error of a cell's mean solids fraction over that mean, in
