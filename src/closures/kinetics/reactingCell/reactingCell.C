@@ -7,8 +7,6 @@
 #include "checkedEntry.H"
 #include "drivingUnit.H"
 #include "mathematicalConstants.H"
-#include "ops.H"
-#include "PstreamCombineReduceOps.H"
 
 #include <algorithm>
 #include <cmath>
@@ -112,7 +110,7 @@ Foam::cghs::reactingCell::reactingCell
         if (!scheme.inParticles()[r].law().ranges().empty())
         {
             ranged_.append(r);
-            asked_.append(0);
+            asked_.append(askedRange());
         }
     }
 
@@ -258,33 +256,24 @@ void Foam::cghs::reactingCell::noteRanges(const UList<scalar>& amounts)
     forAll(ranged_, k)
     {
         const kineticLaw& law = scheme_.inParticles()[ranged_[k]].law();
-        asked_[k] = max(asked_[k], law.asked(amounts));
+        asked_[k].note(law.asked(amounts));
     }
 }
 
 
 void Foam::cghs::reactingCell::warnOfRanges()
 {
-    if (warned_ || ranged_.empty())
-    {
-        return;
-    }
-    Pstream::listCombineGather(asked_, maxEqOp<scalar>());
-    Pstream::listCombineScatter(asked_);
-
-    forAll(ranged_, k)
+    // One warning for all reactions: most schemes have one such range
+    for (label k = 0; k < ranged_.size() && !warned_; ++k)
     {
         const reaction& r = scheme_.inParticles()[ranged_[k]];
-        if (!warned_ && asked_[k] > r.law().upTo())
-        {
-            warned_ = true;
-            WarningInFunction
-                << "Reaction " << r.name() << " was asked at "
-                << r.law().ranges().c_str() << ' ' << asked_[k]
-                << " but its law is made for up to " << r.law().upTo() << '.'
-                << nl << "    It is extrapolated; this is said once, for all"
-                << " reactions" << nl << endl;
-        }
+
+        warned_ = asked_[k].warn
+        (
+            "Reaction " + r.name(),
+            r.law().ranges(),
+            scalarMinMax(0, r.law().upTo())
+        );
     }
 }
 
