@@ -98,19 +98,38 @@ void Foam::cghs::filmTransfer::readDiffusivity(const dictionary& dict)
 }
 
 
+Foam::cghs::heatedFlow Foam::cghs::filmTransfer::diffusing
+(
+    const heatedFlow& flow
+) const
+{
+    heatedFlow result(flow);
+    result.Cp = 1;
+    result.kappa = D_ > 0 ? D_*flow.rho : flow.mu/Sc_;
+
+    return result;
+}
+
+
 void Foam::cghs::filmTransfer::coefficients
 (
     const UList<heatedFlow>& flows,
     UList<scalar>& k
 ) const
 {
-    law_->nusselts(flows, k);
+    List<heatedFlow> diffusions(flows.size());
+    forAll(flows, i)
+    {
+        diffusions[i] = diffusing(flows[i]);
+    }
+
+    law_->nusselts(diffusions, k);
 
     forAll(k, i)
     {
-        const heatedFlow& f = flows[i];
+        const heatedFlow& f = diffusions[i];
 
         // Sh D/d
-        k[i] *= f.kappa/(f.rho*f.Cp*f.d);
+        k[i] *= f.kappa/(f.rho*f.d);
     }
 }

@@ -281,13 +281,9 @@ void Foam::cghs::reactions::meet(const arena& parcels, carrierFluid& fluid)
       ? fluid.field("T").primitiveField()
       : scalarField(T_.size(), coeffs_.get<scalar>("T"));
 
-    if (film_.varies())
+    if (film_.varies() && !heat_)
     {
         flows_.meet(fluid);
-        for (heatedFlow& f : flows_.fluid())
-        {
-            film_.setDiffusing(f);
-        }
     }
 
     forAll(scheme_->fluid(), k)
@@ -395,8 +391,12 @@ void Foam::cghs::reactions::setFilms
     const label width = bodyWidth();
     scalarField film(parcelFlows::blockSize);
 
-    flows_.fetch(parcels);
-    flows_.forBlocks
+    if (!heat_)
+    {
+        flows_.fetch(parcels);
+    }
+    parcelFlows& past = heat_ ? heat_->flows() : flows_;
+    past.forBlocks
     (
         parcels,
         [&](const label from, const UList<heatedFlow>& flows)

@@ -34,7 +34,6 @@ static scalar coefficient(const filmTransfer& film, const slipFlow& flow)
     List<heatedFlow> flows(1, heatedFlow(flow, -1, -1));
     scalarField k(1);
 
-    film.setDiffusing(flows[0]);
     film.coefficients(flows, k);
     return k[0];
 }
