@@ -35,7 +35,7 @@ OUTLET_PRESSURE = 1.4e5                 # [Pa]
 SPENT_GAS = 0.117
 
 # What draws the catalyst to the valve, at most [kg/s]
-CATALYST_GAS = 0.12
+CATALYST_GAS = 0.2
 
 # The bed without what is next to its floor and its surface [m]
 BED = (1.0, 7.0)
