@@ -168,6 +168,7 @@ void Foam::cghs::cghsCloud::readAll(const dictionary& flows)
         readMemories(*this, parcels_, contacts_);
     }
     checkConstants(properties_, parcels_);
+    checkInventories(properties_, parcels_, mesh_);
     transport_.constrain(parcels_);
 }
 

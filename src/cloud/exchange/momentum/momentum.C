@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "momentum.H"
+#include "fvcGrad.H"
 #include "profiling.H"
 #include "zeroGradientFvPatchFields.H"
 #include "Time.H"
@@ -77,12 +78,34 @@ void Foam::cghs::momentum::meet(const arena& parcels, carrierFluid& fluid)
     }
 
     suspension_.startFluidStep();
-    suspension_.meet(parcels, std::move(byCell));
+    suspension_.meet
+    (
+        parcels,
+        std::move(byCell),
+        suspension_.feelsTurning() ? turnings(fluid.U()) : List<turning>()
+    );
 
     if (cellDrag_.valid())
     {
         metU_ = tu;
     }
+}
+
+
+Foam::List<Foam::cghs::turning> Foam::cghs::momentum::turnings
+(
+    const volVectorField& U
+) const
+{
+    const tmp<volVectorField> field(smooth(U & fvc::grad(U)));
+    List<turning> byCell(mesh_.nCells());
+
+    forAll(byCell, celli)
+    {
+        byCell[celli] = turning(field()[celli]);
+    }
+
+    return byCell;
 }
 
 

@@ -16,6 +16,7 @@ Foam::cghs::suspension::suspension
 :
     g_(g),
     law_(dragModel::New(subModels)),
+    forces_(nullptr),
     kernels_(kernels),
     nCells_(nCells),
     volume_(nCells, Zero),
@@ -28,7 +29,14 @@ Foam::cghs::suspension::suspension
     D_(blockSize_),
     holds_(false),
     burdened_(false)
-{}
+{
+    PtrList<forceModel> forces(forceModel::New(subModels));
+
+    if (forces.size())
+    {
+        forces_.reset(new fluidForces(std::move(forces)));
+    }
+}
 
 
 void Foam::cghs::suspension::addColumns(arena& parcels)
@@ -41,6 +49,10 @@ void Foam::cghs::suspension::addColumns(arena& parcels)
         parcels.add(met_);
         parcels.add(taken_);
         taken_.UList<vector>::operator=(Zero);
+    }
+    if (forces_.valid())
+    {
+        forces_->addColumns(parcels, kernels_);
     }
 }
 
@@ -86,11 +98,16 @@ Row Foam::cghs::suspension::read
 void Foam::cghs::suspension::meet
 (
     const arena& parcels,
-    List<carrier>&& byCell
+    List<carrier>&& byCell,
+    List<turning>&& turnings
 )
 {
     fluid_ = std::move(byCell);
 
+    if (forces_.valid())
+    {
+        forces_->fluid() = std::move(turnings);
+    }
     if (!kernels_)
     {
         return;
@@ -98,10 +115,22 @@ void Foam::cghs::suspension::meet
 
     kernels_->rings().fetch(fluid_);
 
-    for (const label i : cellByCell(parcels))
+    const labelList order(cellByCell(parcels));
+
+    for (const label i : order)
     {
         met_[i] = read(fluid_, parcels, i);
         taken_[i] = Zero;
+    }
+
+    if (forces_.valid())
+    {
+        kernels_->rings().fetch(forces_->fluid());
+
+        for (const label i : order)
+        {
+            forces_->meet(i, read(forces_->fluid(), parcels, i));
+        }
     }
 }
 
@@ -161,7 +190,8 @@ inline void Foam::cghs::suspension::accelerate
 
     const scalar K = rates_[i];
     const vector u(c.u());
-    const vector field(g_ - (parcels.displaced(i)*m.invMass)*c.gradP());
+    const vector g(forces_.valid() ? forces_->field(i, g_) : g_);
+    const vector field(g - (parcels.displaced(i)*m.invMass)*c.gradP());
 
     m.v = (m.v + time*(K*u + field))/(1 + time*K);
 
@@ -238,6 +268,10 @@ bool Foam::cghs::suspension::kick(arena& parcels, const scalar halfDeltaT)
         parcels.visiting.fetch(fluid_);
         parcels.visiting.extend(impulse_);
     }
+    if (forces_.valid())
+    {
+        takeForces(parcels);
+    }
 
     for (label from = 0; from < nOwn; from += blockSize_)
     {
@@ -260,7 +294,48 @@ bool Foam::cghs::suspension::kick(arena& parcels, const scalar halfDeltaT)
         takeBurdens(parcels, halfDeltaT);
     }
 
-    return burdened_;
+    return burdened_ || forces_.valid();
+}
+
+
+void Foam::cghs::suspension::takeForces(arena& parcels)
+{
+    const label nOwn = parcels.size();
+
+    if (!kernels_)
+    {
+        parcels.visiting.fetch(forces_->fluid());
+    }
+
+    forces_->start(nOwn);
+
+    for (label from = 0; from < nOwn; from += blockSize_)
+    {
+        forces_->take
+        (
+            parcels,
+            from,
+            min(blockSize_, nOwn - from),
+            [&](const label i) -> const carrier&
+            {
+                return carrierOf(parcels, i);
+            }
+        );
+    }
+}
+
+
+void Foam::cghs::suspension::releaseForces
+(
+    arena& parcels,
+    const scalar deltaT
+)
+{
+    for (label i = 0; i < parcels.size(); ++i)
+    {
+        addImpulse(parcels, i, forces_->release(parcels, i, deltaT));
+        rates_[i] *= forces_->burden(i);
+    }
 }
 
 
@@ -344,6 +419,10 @@ void Foam::cghs::suspension::settle
         {
             findHeld(parcels);
         }
+    }
+    if (forces_.valid())
+    {
+        releaseForces(parcels, 2*halfDeltaT);
     }
 
     if (!kernels_)

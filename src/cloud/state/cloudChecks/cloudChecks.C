@@ -10,6 +10,7 @@
 #include "polyMesh.H"
 #include "Time.H"
 #include "PstreamReduceOps.H"
+#include "mathematicalConstants.H"
 
 namespace Foam
 {
@@ -55,6 +56,28 @@ static void warnIfOthers
     }
 }
 
+
+
+//- Of all that there is or may be [kg/m^3]
+static scalar densest(const dictionary& properties, const arena& parcels)
+{
+    scalar most = particleProperties(properties).density;
+
+    for (const entry& e : properties.subOrEmptyDict("feeding"))
+    {
+        if (e.isDict())
+        {
+            most = max(most, particleProperties(properties, e.dict()).density);
+        }
+    }
+    for (label i = 0; i < parcels.size(); ++i)
+    {
+        most = max(most, parcels.density(i));
+    }
+
+    return returnReduce(most, maxOp<scalar>());
+}
+
 } // End namespace cghs
 } // End namespace Foam
 
@@ -89,7 +112,10 @@ void Foam::cghs::checkEntries
     warnUnknownEntries
     (
         properties.subDict("subModels"),
-        wordList({"contactModel", "dragModel", "mappingModel", "exchanges"})
+        wordList
+        ({
+            "contactModel", "dragModel", "forces", "mappingModel", "exchanges"
+        })
     );
 }
 
@@ -129,6 +155,41 @@ void Foam::cghs::checkConstants
             stated.diameter(),
             [&](const label i) { return parcels.diameters[i]; }
         );
+    }
+}
+
+
+void Foam::cghs::checkInventories
+(
+    const dictionary& properties,
+    const arena& parcels,
+    const polyMesh& mesh
+)
+{
+    // The share of equal spheres in their closest packing
+    const scalar packed = constant::mathematical::pi/sqrt(18.0);
+    const scalar volume = gSum(mesh.cellVolumes());
+    const scalar most = packed*volume*densest(properties, parcels);
+
+    for (const entry& e : properties.subDict("boundary"))
+    {
+        if (!e.isDict() || !e.dict().found("inventory"))
+        {
+            continue;
+        }
+
+        const scalar inventory = e.dict().get<scalar>("inventory");
+
+        if (inventory > most)
+        {
+            FatalIOErrorInFunction(e.dict())
+                << "Entry inventory is " << inventory << " kg, but a mesh of "
+                << volume << " m^3 holds " << most << " kg of these particles"
+                << " at most, packed as closely as spheres can be" << nl
+                << "Choose an inventory below that; a fluidised bed takes about"
+                << " half of the room" << nl
+                << exit(FatalIOError);
+        }
     }
 }
 
