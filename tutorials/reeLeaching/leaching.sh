@@ -5,8 +5,8 @@
 #
 # Description
 #     What the Allruns of the leaching reactors share, on top of
-#     tutorials/lib/tutorial.sh: cases are made of the folders common and reactor,
-#     and of one of the methods, which names the size of the vessel.
+#     tutorials/lib/tutorial.sh: cases are made of the folders common and
+#     reactor, and of one of the methods, which names the size of the vessel.
 #------------------------------------------------------------------------------
 
 # freshCase FOLDER

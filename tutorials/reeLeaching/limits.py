@@ -7,11 +7,11 @@
 #     limits.py
 #
 # Description
-#     What balances and Eq 103 say of all reactors of this tutorial before any is
-#     run: leached fraction if the solids pass in plug flow, in ten mixed tanks, in
-#     one; with the ammonium of the fresh liquid, and, in brackets, with that of
-#     the outlet; the rare earth in the liquid that leaves; and why liquid has to
-#     leave with the ore.
+#     What balances and Eq 103 say of all reactors of this tutorial before any
+#     is run: leached fraction if the solids pass in plug flow, in ten mixed
+#     tanks, in one; with the ammonium of the fresh liquid, and, in brackets,
+#     with that of the outlet; the rare earth in the liquid that leaves; and why
+#     liquid has to leave with the ore.
 # ------------------------------------------------------------------------------
 """Limits of the leaching reactors."""
 
