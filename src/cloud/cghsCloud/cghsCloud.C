@@ -115,7 +115,8 @@ Foam::cghs::cghsCloud::cghsCloud
     ),
     momentum_(nullptr),
     present_(true),
-    exchanging_(false)
+    exchanging_(false),
+    slowClock_(properties_)
 {
     checkEntries(properties_, parcels_);
     exchanges_.startLending(contacts_);
@@ -478,6 +479,7 @@ std::size_t Foam::cghs::cghsCloud::bytesPerParcel() const
 
 void Foam::cghs::cghsCloud::report(Ostream& os) const
 {
+    slowClock_.report(mesh_.time().value(), os);
     feeding_.report(os);
     exchanges_.report(parcels_, os);
 }

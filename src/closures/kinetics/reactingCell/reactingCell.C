@@ -306,6 +306,21 @@ bool Foam::cghs::reactingCell::rests()
 }
 
 
+Foam::scalarField Foam::cghs::reactingCell::speeds(const label r)
+{
+    share(z_.cdata());
+
+    const scalarField none(nReactions_ + nEnergies_, 0);
+    scalarField all(bodies_.size());
+    forAll(all, i)
+    {
+        look(i, none.cdata());
+        all[i] = bodies_[i].W*rate(scheme_.inParticles()[r], i);
+    }
+    return all;
+}
+
+
 Foam::scalar Foam::cghs::reactingCell::enthalpyTaken(const label i) const
 {
     scalar H = 0;

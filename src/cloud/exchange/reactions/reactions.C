@@ -67,6 +67,7 @@ Foam::cghs::reactions::reactions(const dictionary& dict, const fvMesh& mesh)
     coeffs_(dict),
     scheme_(readScheme(mesh, energetic(dict))),
     cell_(scheme_(), reactingCell::readTolerances(dict)),
+    slow_(dict.topDict(), scheme_()),
     film_(dict, scheme_->askingForFilm()),
     leastDiameter_
     (
@@ -92,6 +93,7 @@ Foam::cghs::reactions::reactions(const dictionary& dict, const fvMesh& mesh)
     relaxation_(enthalpy_.size(), 0),
     extents_(nReactions() + scheme_->inFluid().size(), 0),
     gain_(0),
+    ahead_(0),
     steps_(0),
     heating_(0),
     meanY_(nSolids(), 0),
@@ -437,6 +439,68 @@ void Foam::cghs::reactions::startBalance(const arena& parcels)
 }
 
 
+void Foam::cghs::reactions::addBody(const scalar* b, const scalar fluidT)
+{
+    const UList<scalar> amounts(const_cast<scalar*>(b + 3), nSolids());
+
+    reactingCell::body body;
+    body.W = b[0];
+    body.d = b[1];
+    body.T = heat_ ? b[heatPart()] : fluidT;
+    body.conductance = heat_ ? b[heatPart() + 1] : 0;
+    body.film = film_.varies() ? b[filmPart()] : film_.constant();
+    cell_.add(body, amounts);
+}
+
+
+void Foam::cghs::reactions::noteMet
+(
+    const label celli,
+    const UList<label>& which,
+    const scalarField& bodies
+)
+{
+    const label n = nFluid();
+    scalar mass = 0;
+
+    for (const label i : which)
+    {
+        mass += scheme_->solids().massOf
+        (
+            SubList<scalar>(bodies, nSolids(), bodyWidth()*i + 3)
+        );
+    }
+    slow_.meet
+    (
+        SubList<scalar>(amounts_, n, celli*n),
+        volume_[celli],
+        T_[celli],
+        p_[celli],
+        mass
+    );
+}
+
+
+void Foam::cghs::reactions::goAhead(const label nOwn, scalarField& bodies)
+{
+    if (slow_.startMean(cell_))
+    {
+        DynamicList<label> which(nOwn);
+        for (label i = 0; i < nOwn; ++i)
+        {
+            const scalar* b = &bodies[bodyWidth()*i];
+            if (!isSpent(b))
+            {
+                which.append(i);
+                addBody(b, cell_.fluidTemperature());
+            }
+        }
+        slow_.share(cell_, which, extents_, bodies, bodyWidth(), 3);
+    }
+    slow_.close(deltaT_);
+}
+
+
 void Foam::cghs::reactions::react
 (
     const label celli,
@@ -460,14 +524,7 @@ void Foam::cghs::reactions::react
             continue;
         }
         reacting.append(i);
-
-        reactingCell::body body;
-        body.W = b[0];
-        body.d = b[1];
-        body.T = heat_ ? b[heatPart()] : T_[celli];
-        body.conductance = heat_ ? b[heatPart() + 1] : 0;
-        body.film = film_.varies() ? b[filmPart()] : film_.constant();
-        cell_.add(body, SubList<scalar>(bodies, nSolids(), width*i + 3));
+        addBody(b, T_[celli]);
     }
 
     if (heat_ && cell_.rests())
@@ -501,6 +558,8 @@ void Foam::cghs::reactions::react
         scalar* b = &bodies[width*reacting[j] + 2];
         const SubList<scalar> amounts(cell_.amounts(j));
         std::copy(amounts.begin(), amounts.end(), b + 1);
+        UList<scalar> own(b + 1, nSolids());
+        slow_.follow(cell_, j, own);
 
         for (label r = 0; r < nReactions(); ++r)
         {
@@ -579,6 +638,7 @@ void Foam::cghs::reactions::evolve(arena& parcels, const scalar deltaT)
     growth_ = -1;
     extents_ = 0;
     gain_ = 0;
+    ahead_ = 0;
     steps_ = 0;
     given_ = 0;
     in_ = 0;
@@ -589,6 +649,7 @@ void Foam::cghs::reactions::evolve(arena& parcels, const scalar deltaT)
     relaxation_ = 0;
     heating_ = 0;
     deltaT_ = max(deltaT, VSMALL);
+    slow_.start(mesh_.time().value(), deltaT_);
 
     if (!meets_)
     {
@@ -632,15 +693,14 @@ void Foam::cghs::reactions::evolve(arena& parcels, const scalar deltaT)
     for (label celli = 0; celli < nCells; ++celli)
     {
         const label n = starts[celli + 1] - starts[celli];
+        const SubList<label> which(order, n, starts[celli]);
+        if (n && slow_.goesOn())
+        {
+            noteMet(celli, which, bodies);
+        }
         if (n || always)
         {
-            react
-            (
-                celli,
-                SubList<label>(order, n, starts[celli]),
-                bodies,
-                deltaT
-            );
+            react(celli, which, bodies, deltaT);
         }
     }
 
@@ -651,6 +711,7 @@ void Foam::cghs::reactions::evolve(arena& parcels, const scalar deltaT)
         bodyWidth(),
         bodies
     );
+    goAhead(nOwn, bodies);
     update(parcels, bodies);
     gather(parcels);
     if (heat_)
@@ -869,6 +930,7 @@ void Foam::cghs::reactions::close(const arena& parcels, const scalar deltaT)
 
     reduce(extents_, sumOp<scalarField>());
     reduce(gain_, sumOp<scalar>());
+    ahead_ = sum(slow_.ahead());
     reduce(steps_, maxOp<label>());
     reduce(heating_, sumOp<scalar>());
     fed_ = returnReduce(carriedIn(), sumOp<scalar>());
@@ -877,7 +939,7 @@ void Foam::cghs::reactions::close(const arena& parcels, const scalar deltaT)
     clear();
     goneNow_ = 0;
 
-    defect_ = mass - mass_ - gain_ - fed_ + left_ + burntOut_;
+    defect_ = mass - mass_ - gain_ - ahead_ - fed_ + left_ + burntOut_;
     mass_ = mass;
 }
 
@@ -901,6 +963,11 @@ Foam::List<Foam::cghs::figure> Foam::cghs::reactions::figures() const
     forAll(Y_, s)
     {
         list.append({Y_[s].name(), meanY_[s]});
+    }
+    if (slow_.clockRuns())
+    {
+        list.append({"ahead", ahead_/deltaT_});
+        list.append({"aheadMost", slow_.largest()});
     }
     list.append({"steps", scalar(steps_)});
     if (heat_)

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "residenceTime.H"
+#include "fvMesh.H"
 #include "knownEntries.H"
 #include "PstreamReduceOps.H"
 #include "addToRunTimeSelectionTable.H"
@@ -25,8 +26,14 @@ Foam::cghs::residenceTime::recycledNames
 });
 
 
-Foam::cghs::residenceTime::residenceTime(const dictionary& dict, const fvMesh&)
+Foam::cghs::residenceTime::residenceTime
+(
+    const dictionary& dict,
+    const fvMesh& mesh
+)
 :
+    time_(mesh.time()),
+    clock_(dict.topDict()),
     ages_("age"),
     massGone_(0),
     ageGone_(0),
@@ -89,10 +96,11 @@ void Foam::cghs::residenceTime::evolve(arena& parcels, const scalar deltaT)
     scalar mass = 0;
     scalar sum = 0;
     oldest_ = 0;
+    const scalar older = clock_.passed(time_.value(), deltaT);
 
     for (label i = 0; i < parcels.size(); ++i)
     {
-        ages_[i] += deltaT;
+        ages_[i] += older;
 
         const scalar m = parcels.motions[i].mass();
         mass += m;

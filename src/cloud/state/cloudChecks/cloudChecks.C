@@ -103,7 +103,8 @@ void Foam::cghs::checkEntries
         wordList
         ({
             "coupling", "fluid", "maxDisplacement", "maxDeltaT",
-            "neighbourSkin", "minVoidage", "transported", "energyCoeffs"
+            "neighbourSkin", "minVoidage", "transported", "energyCoeffs",
+            "slowClock"
         })
     );
     wordList constants({"diameter", "density", "parcelWeight"});

@@ -78,17 +78,23 @@ bool Foam::cghs::speciesBalance::read(const dictionary& dict)
 }
 
 
-const Foam::cghs::reactionScheme* Foam::cghs::speciesBalance::scheme() const
+const Foam::cghs::reactions* Foam::cghs::speciesBalance::reacting() const
 {
     for (const exchange& e : theCloud().exchanges())
     {
         if (isA<reactions>(e))
         {
-            return &refCast<const reactions>(e).scheme();
+            return &refCast<const reactions>(e);
         }
     }
 
     return nullptr;
+}
+
+
+const Foam::cghs::reactionScheme* Foam::cghs::speciesBalance::scheme() const
+{
+    return reacting() ? &reacting()->scheme() : nullptr;
 }
 
 
@@ -312,7 +318,7 @@ Foam::cghs::speciesBalance::flows Foam::cghs::speciesBalance::none() const
 {
     const scalarField zero(substances_.size(), Zero);
 
-    return flows{zero, zero, zero, zero, zero};
+    return flows{zero, zero, zero, zero, zero, zero};
 }
 
 
@@ -361,6 +367,7 @@ Foam::cghs::speciesBalance::flows Foam::cghs::speciesBalance::flowsNow
         f.out[k] = out[s];
         f.stored[k] = (content[s] - content_[s])/deltaT;
         f.gained[k] = f.stored[k] - in[s] + out[s];
+        f.ahead[k] = reacting()->slow().ahead()[s]/deltaT;
         f.content[k] = content[s];
     }
     content_ = content;
@@ -448,12 +455,17 @@ void Foam::cghs::speciesBalance::tellElements
         const scalar in = sum(w*f.in);
         const scalar out = sum(w*f.out);
         const scalar stored = sum(w*f.stored);
-        const scalar defect = stored - in + out;
+        const scalar ahead = sum(w*f.ahead);
+        const scalar defect = stored - in + out - ahead;
         const scalar scale = sum(w*f.content) + (in + out)*deltaT;
 
         list.append({"element.in" + ofIt, in, -1});
         list.append({"element.out" + ofIt, out, -1});
         list.append({"element.stored" + ofIt, stored, -1});
+        if (reacting() && reacting()->slow().clockRuns())
+        {
+            list.append({"element.ahead" + ofIt, ahead, -1});
+        }
         list.append({"element.defect" + ofIt, defect, -1});
         list.append
         (

@@ -128,7 +128,8 @@ Foam::cghs::feeder::feeder
     refused_(0),
     nFed_(0),
     fits_(false),
-    warned_(false)
+    warned_(false),
+    clock_(cloudProperties)
 {
     checkEntries(parcels);
     readSupply(mesh);
@@ -221,7 +222,8 @@ void Foam::cghs::feeder::checkRate(const scalar rate) const
             << " kg/s, but there is room for no more than " << largest
             << " kg/s" << nl
             << "Raise the speed by " << rate/largest
-            << " times at least, widen the patch or lower massFlowRate" << nl
+            << " times at least, widen the patch or lower massFlowRate"
+            << (clock_.runs() ? " or the factor of slowClock" : "") << nl
             << exit(FatalIOError);
     }
 }
@@ -330,8 +332,8 @@ Foam::label Foam::cghs::feeder::lineUp(const scalar time, const scalar deltaT)
             integral
             (
                 [&](const scalar t) { return massFlowRate_->value(t); },
-                time - deltaT,
-                time
+                clock_.at(time - deltaT),
+                clock_.at(time)
             );
         checkRate(dueNow/deltaT);
         due_ += dueNow;
