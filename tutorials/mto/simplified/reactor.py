@@ -18,7 +18,7 @@ if PROJECT is None:
 sys.path.append(str(PROJECT / "tutorials" / "lib"))
 from fedRun import FedRun  # noqa: E402
 from tutorial import (  # noqa: E402
-    columns, np, of, ranks, seconds, series)
+    columns, np, of, option, ranks, seconds, series)
 
 RADIUS, HEIGHT = 0.1305, 0.8            # [m], as the script vessel has them
 AREA = np.pi*RADIUS**2
@@ -36,10 +36,47 @@ LIGHT = ("C2H4", "C3H6")
 class Reactor(FedRun):
     """A run. Masses in kg."""
 
+    def read_inputs(self):
+        super().read_inputs()
+        self.factor, self.slow_from = (
+            option(self.case, name, "constant/parcelsProperties")
+            for name in ("slowFactor", "slowFrom"))
+
+    def slow(self, time):
+        """Time by the slow clock [s], see slowClock.H."""
+        return time + (self.factor - 1)*np.maximum(time - self.slow_from, 0)
+
     def read_series(self):
         super().read_series()
         self.feed = -self.at_steps("feedFlow")
         self.steam = -self.at_steps("steamFlow")
+
+    def _gained(self):
+        """And what the slow clock has made."""
+        log = self.case / "log.cghsFoam"
+        ahead = of.log_values(log, r"\nreactions:.* ahead")
+        times = of.log_values(log, r"\nTime =")[:ahead.size]
+        return super()._gained() + np.cumsum(
+            np.interp(self.time, times, ahead)*self.dt)
+
+    def due(self):
+        """The time is by the slow clock."""
+        time, due, fed = super().due()
+        return self.slow(time), due, fed
+
+    def parcels_at(self, frame):
+        """Coke by mass [%], age [s, by the slow clock] and share of the mass of
+        each parcel at a time that was written."""
+        coke, age, density = (
+            of.cloud_field(self.case, frame, "parcels", name)
+            for name in ("Y.coke", "age", "rho"))
+        # All are of one size
+        return 100*coke, age, density/density.sum()
+
+    def new(self, frame):
+        """Share of the catalyst that has come in by then [%]."""
+        _, age, mass = self.parcels_at(frame)
+        return 100*mass[age < self.slow(float(frame)) - 1e-3].sum()
 
     def coke(self):
         """Times and mean coke of the parcels [%]."""
