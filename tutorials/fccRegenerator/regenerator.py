@@ -115,15 +115,6 @@ class Regenerator(FedRun):
                             for n in ("Y.C", "Y.H"))
         return 100*(carbon[0] + hydrogen[0]), 100*(carbon[1] + hydrogen[1])
 
-    def leaving(self, name):
-        """Mean of a distribution of what leaves."""
-        files = sorted(
-            (self.case / "postProcessing" / name).glob(
-                "*/parcelDistribution.dat"),
-            key=lambda path: float(path.parent.name))
-        rows = of.columns(files[-1])
-        return rows["mean"][-1], rows["meanError"][-1]
-
     def flue_gas(self):
         """Mass fractions and temperature of the gas that leaves."""
         rows = series(self.case, "flueGas")

@@ -5,14 +5,16 @@
 # Description
 #     A run of a vessel that solids are fed to and leave: risers, regenerators,
 #     reactors. The case's controlDict has the function objects that are read:
-#     parcels, inletPressure, outletPressure, and, where a method says so,
-#     solidsProfiles, taps, balance, reactionHistory.
+#     parcels, and, for those who ask for what they show, inletPressure,
+#     outletPressure, solidsProfiles, taps, balance, parcelDistributions.
 # ------------------------------------------------------------------------------
 """A vessel that solids flow through."""
 
 import re
+from functools import cached_property
 
-from tutorial import Run, clock_series, columns, np, number, of
+from tutorial import (
+    Run, clock_series, columns, newest, np, number, of, ranks, seconds)
 
 
 class FedRun(Run):
@@ -20,6 +22,9 @@ class FedRun(Run):
 
     # Averages over less are none [s]
     least_window = 0.5
+
+    # The speed is that from this time on [s]
+    start_up = 1
 
     def __init__(self, case):
         super().__init__(case)
@@ -36,20 +41,33 @@ class FedRun(Run):
         self.mass = self.parcels["mass"]
         self.escaped = self.parcels["escapedMass"]
         self.fed = self.parcels["fedMass"]
-        self.inlet_pressure = self.at_steps("inletPressure")
-        self.outlet_pressure = self.at_steps("outletPressure")
-        self.pressure_drop = self.inlet_pressure - self.outlet_pressure
-        self.gained = self._gained()
+        # What parcels have taken up from the fluid, less what they have lost
+        # to it, and what a slow clock has made in them
+        self.gained = self._by_reactions("gained")
+        self.ahead = self._by_reactions("ahead")
 
-    def _gained(self):
-        """What parcels have taken up from the gas by reactions, as each step
-        of the log has it; less what they have lost to it."""
+    def _by_reactions(self, name):
+        """Total of a figure of reactions, as each step of the log has it."""
         log = self.case / "log.cghsFoam"
-        gained = of.log_values(log, r"\nreactions:.* gained")
-        if not gained.size:
+        rate = of.log_values(log, rf"\nreactions:.* {name}")
+        if not rate.size:
             return np.zeros(self.time.size)
-        times = of.log_values(log, r"\nTime =")[:gained.size]
-        return np.cumsum(np.interp(self.time, times, gained)*self.dt)
+        times = of.log_values(log, r"\nTime =")[:rate.size]
+        return np.cumsum(np.interp(self.time, times, rate)*self.dt)
+
+    # Not all cases have these
+
+    @cached_property
+    def inlet_pressure(self):
+        return self.at_steps("inletPressure")
+
+    @cached_property
+    def outlet_pressure(self):
+        return self.at_steps("outletPressure")
+
+    @cached_property
+    def pressure_drop(self):
+        return self.inlet_pressure - self.outlet_pressure
 
     # Balances
 
@@ -68,7 +86,8 @@ class FedRun(Run):
 
     def solids_defect(self):
         """Furthest in the run, over what was there at the start."""
-        mass = self.mass + self.escaped - self.fed - self.gained
+        mass = (self.mass + self.escaped - self.fed
+                - self.gained - self.ahead)
         return abs(mass - mass[0]).max()/mass[0]
 
     def element_defects(self):
@@ -92,11 +111,13 @@ class FedRun(Run):
     def profile(self, name):
         """The columns of a profile by their names, of the last time written;
         none before there are means."""
-        files = sorted(
-            (self.case / "postProcessing" / "solidsProfiles").glob(
-                f"*/{name}.dat"),
-            key=lambda path: float(path.parent.name))
-        return of.columns(files[-1]) if files else None
+        return newest(self.case, "solidsProfiles", name)
+
+    def leaving(self, name):
+        """Of a distribution over what leaves its mean, the error of that and
+        the deviation."""
+        rows = newest(self.case, name, "parcelDistribution")
+        return [rows[q][-1] for q in ("mean", "meanError", "deviation")]
 
     def surface(self, radius=lambda z: np.ones_like(z)):
         """Height below which 95 % of the solids are, in a vessel whose radius
@@ -141,10 +162,16 @@ class FedRun(Run):
 
     # Cost
 
+    def seconds(self):
+        return seconds(self.case)
+
+    def ranks(self):
+        return ranks(self.case)
+
     def seconds_per_day(self):
-        """Simulated seconds in a day, from the second second on."""
+        """Simulated seconds in a day, without the start."""
         time, spent = clock_series(self.case)
-        start = min(1, 0.5*time[-1])
+        start = min(self.start_up, 0.5*time[-1])
         used = spent[-1] - np.interp(start, time, spent)
         return 86400*(time[-1] - start)/max(used, 1e-3)
 

@@ -100,6 +100,15 @@ def columns(case, folder):
     return dict(zip(of.columns(table), rows.T))
 
 
+def newest(case, folder, name):
+    """The columns by their names of a table that a function object writes whole
+    at each time that is written, of the last; none before there is one."""
+    files = sorted(
+        (Path(case) / "postProcessing" / folder).glob(f"*/{name}.dat"),
+        key=lambda path: float(path.parent.name))
+    return of.columns(files[-1]) if files else None
+
+
 # Means and their statistical errors
 
 

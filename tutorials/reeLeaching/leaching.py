@@ -20,9 +20,9 @@ PROJECT = next((folder for folder in HERE.parents
 if PROJECT is None:
     sys.exit(f"{HERE} is not within a cghsFoam")
 sys.path.append(str(PROJECT / "tutorials" / "lib"))
+from fedRun import FedRun  # noqa: E402
 from tutorial import (  # noqa: E402
-    Run, clock_series, columns, mean_of, np, number, of, option, ranks, seconds,
-    series, stop)
+    columns, mean_of, newest, np, number, of, option, series, stop)
 import dragLaws  # noqa: E402
 
 # Table 12: ore, and what of it can be leached; liquid [kg/m3, Pa s]
@@ -175,8 +175,10 @@ def expanded(d, U):
 # Runs
 
 
-class Leaching(Run):
+class Leaching(FedRun):
     """A run of ore in liquid, and how far it has been leached."""
+
+    start_up = 10
 
     def read_inputs(self):
         self.average_from = option(
@@ -186,19 +188,10 @@ class Leaching(Run):
         self.weight = number(method, "weight")
         self.parcel_mass = np.pi/6*self.diameter**3*ORE*self.weight
 
-    def read_series(self):
-        super().read_series()
-        self.mass = self.parcels["mass"]
-
     def leached_there(self):
         """Times, and what has been leached of the ore in the mesh."""
         rows = columns(self.case, "reactionHistory")
         return rows["time"], 1 - rows["Y.REE"]/RARE_EARTH
-
-    def element_defect(self, name):
-        """From nowhere in a step, over what there is and flows: largest."""
-        rows = columns(self.case, "balance")
-        return float(abs(rows[f"element.relative({name})"]).max())
 
     def species_defect(self, name):
         """All that has come from nowhere since the start, over what there is:
@@ -208,33 +201,17 @@ class Leaching(Run):
             rf"species {name}: .*\n.*; (\S+) kg, from nowhere (\S+) kg", log)[-1]
         return abs(float(gone))/float(there)
 
-    def seconds_per_day(self):
-        time, spent = clock_series(self.case)
-        start = min(10, 0.5*time[-1])
-        used = spent[-1] - np.interp(start, time, spent)
-        return DAY*(time[-1] - start)/max(used, 1e-3)
-
-    def seconds(self):
-        return seconds(self.case)
-
-    def ranks(self):
-        return ranks(self.case)
-
 
 class Operation(Leaching):
     """A run of a counter-current reactor."""
 
-    def __init__(self, case):
-        super().__init__(case)
-        self.name = self.case.name
-        self.reactor = REACTORS[self.name]
-        if self.end - self.average_from > 0.5*self.reactor.tau:
-            self.window = (self.average_from, self.end)
+    def read_inputs(self):
+        super().read_inputs()
+        self.reactor = REACTORS[self.case.name]
+        self.least_window = 0.5*self.reactor.tau
 
     def read_series(self):
         super().read_series()
-        self.escaped = self.parcels["escapedMass"]
-        self.fed = self.parcels["fedMass"]
         rows = series(self.case, "outlet")
         self.outlet_time, self.outlet, self.outlet_ammonium = rows[:, :3].T
         self.flows = {name: series(self.case, name)[:, :2].T
@@ -273,15 +250,6 @@ class Operation(Leaching):
         return ((fed*lost - down*along)/up,
                 np.hypot(fed*error, down*other)/up)
 
-    def leaving(self, name):
-        """Mean of a distribution of what leaves, its error and deviation."""
-        files = sorted(
-            (self.case / "postProcessing" / name).glob(
-                "*/parcelDistribution.dat"),
-            key=lambda path: float(path.parent.name))
-        rows = of.columns(files[-1])
-        return [rows[q][-1] for q in ("mean", "meanError", "deviation")]
-
     def leached_leaving(self):
         """Of the ore that leaves, and error."""
         mean, error, _ = self.leaving("leftInLeaving")
@@ -289,10 +257,7 @@ class Operation(Leaching):
 
     def histogram(self, name):
         """Middles of bins, share of the mass that leaves in each."""
-        files = sorted(
-            (self.case / "postProcessing" / name).glob("*/histogram.dat"),
-            key=lambda path: float(path.parent.name))
-        rows = of.columns(files[-1])
+        rows = newest(self.case, name, "histogram")
         return rows["x"], rows["share"]
 
     def by_ages(self):
@@ -305,12 +270,6 @@ class Operation(Leaching):
         """How many mixed tanks in series have ages that vary as much."""
         mean, _, deviation = self.leaving("ageOfLeaving")
         return (mean/deviation)**2
-
-    def solids_defect(self):
-        """Furthest in the run, over what was there: ore becomes heavier by
-        ammonium, and lighter by what is leached."""
-        mass = self.mass + self.escaped - self.fed
-        return abs(mass - mass[0]).max()/mass[0]
 
     def made(self):
         """Rare earth that leaves for good with liquid, at the top and with the

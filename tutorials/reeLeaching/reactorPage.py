@@ -108,7 +108,7 @@ def table(runs):
             steady(lambda r: with_error(r.made(), 1, 3))),
         row("parcels", "", lambda r: f"{r.parcels['nParcels'][-1]:.0f}"),
         row("La from nowhere in a step", "",
-            lambda r: f"{r.element_defect('La'):.1e}"),
+            lambda r: f"{r.element_defects()['La']:.1e}"),
         row("run time, cores", "s",
             lambda r: f"{r.seconds():.0f}, {r.ranks()}"),
         row("simulated", "s a day", lambda r: f"{r.seconds_per_day():.0f}"),

@@ -17,8 +17,7 @@ if PROJECT is None:
     sys.exit(f"{Path(__file__).parent} is not within a cghsFoam")
 sys.path.append(str(PROJECT / "tutorials" / "lib"))
 from fedRun import FedRun  # noqa: E402
-from tutorial import (  # noqa: E402
-    columns, np, of, option, ranks, seconds, series)
+from tutorial import columns, np, of, option, series  # noqa: E402
 
 RADIUS, HEIGHT = 0.1305, 0.8            # [m], as the script vessel has them
 AREA = np.pi*RADIUS**2
@@ -51,14 +50,6 @@ class Reactor(FedRun):
         self.feed = -self.at_steps("feedFlow")
         self.steam = -self.at_steps("steamFlow")
 
-    def _gained(self):
-        """And what the slow clock has made."""
-        log = self.case / "log.cghsFoam"
-        ahead = of.log_values(log, r"\nreactions:.* ahead")
-        times = of.log_values(log, r"\nTime =")[:ahead.size]
-        return super()._gained() + np.cumsum(
-            np.interp(self.time, times, ahead)*self.dt)
-
     def due(self):
         """The time is by the slow clock."""
         time, due, fed = super().due()
@@ -87,9 +78,3 @@ class Reactor(FedRun):
         """Times, and by names mass fractions of the gas that leaves."""
         rows = series(self.case, "products")
         return rows[:, 0], dict(zip(("MeOH", "H2O", *GAS), rows[:, 1:].T))
-
-    def seconds(self):
-        return seconds(self.case)
-
-    def ranks(self):
-        return ranks(self.case)
