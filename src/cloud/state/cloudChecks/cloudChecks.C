@@ -57,7 +57,6 @@ static void warnIfOthers
 }
 
 
-
 //- Of all that there is or may be [kg/m^3]
 static scalar densest(const dictionary& properties, const arena& parcels)
 {
@@ -76,6 +75,34 @@ static scalar densest(const dictionary& properties, const arena& parcels)
     }
 
     return returnReduce(most, maxOp<scalar>());
+}
+
+
+//- Stop if a mesh cannot hold what an entry inventory asks for
+static void checkInventory
+(
+    const dictionary& valve,
+    const dictionary& properties,
+    const arena& parcels,
+    const polyMesh& mesh
+)
+{
+    // The share of equal spheres in their closest packing
+    const scalar packed = constant::mathematical::pi/sqrt(18.0);
+    const scalar volume = gSum(mesh.cellVolumes());
+    const scalar most = packed*volume*densest(properties, parcels);
+    const scalar inventory = valve.get<scalar>("inventory");
+
+    if (inventory > most)
+    {
+        FatalIOErrorInFunction(valve)
+            << "Entry inventory is " << inventory << " kg, but a mesh of "
+            << volume << " m^3 holds " << most << " kg of these particles"
+            << " at most, packed as closely as spheres can be" << nl
+            << "Choose an inventory below that; a fluidised bed takes about"
+            << " half of the room" << nl
+            << exit(FatalIOError);
+    }
 }
 
 } // End namespace cghs
@@ -167,29 +194,11 @@ void Foam::cghs::checkInventories
     const polyMesh& mesh
 )
 {
-    // The share of equal spheres in their closest packing
-    const scalar packed = constant::mathematical::pi/sqrt(18.0);
-    const scalar volume = gSum(mesh.cellVolumes());
-    const scalar most = packed*volume*densest(properties, parcels);
-
     for (const entry& e : properties.subDict("boundary"))
     {
-        if (!e.isDict() || !e.dict().found("inventory"))
+        if (e.isDict() && e.dict().found("inventory"))
         {
-            continue;
-        }
-
-        const scalar inventory = e.dict().get<scalar>("inventory");
-
-        if (inventory > most)
-        {
-            FatalIOErrorInFunction(e.dict())
-                << "Entry inventory is " << inventory << " kg, but a mesh of "
-                << volume << " m^3 holds " << most << " kg of these particles"
-                << " at most, packed as closely as spheres can be" << nl
-                << "Choose an inventory below that; a fluidised bed takes about"
-                << " half of the room" << nl
-                << exit(FatalIOError);
+            checkInventory(e.dict(), properties, parcels, mesh);
         }
     }
 }

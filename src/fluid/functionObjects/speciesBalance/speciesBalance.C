@@ -94,7 +94,9 @@ const Foam::cghs::reactions* Foam::cghs::speciesBalance::reacting() const
 
 const Foam::cghs::reactionScheme* Foam::cghs::speciesBalance::scheme() const
 {
-    return reacting() ? &reacting()->scheme() : nullptr;
+    const reactions* r = reacting();
+
+    return r ? &r->scheme() : nullptr;
 }
 
 
