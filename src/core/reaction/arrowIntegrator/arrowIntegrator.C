@@ -17,6 +17,10 @@ Foam::cghs::arrowIntegrator::New(const label nExtents)
         case 2: made = new blockIntegrator<2>(nExtents); break;
         case 3: made = new blockIntegrator<3>(nExtents); break;
         case 4: made = new blockIntegrator<4>(nExtents); break;
+        case 5: made = new blockIntegrator<5>(nExtents); break;
+        case 6: made = new blockIntegrator<6>(nExtents); break;
+        case 7: made = new blockIntegrator<7>(nExtents); break;
+        case 8: made = new blockIntegrator<8>(nExtents); break;
         default: made = new blockIntegrator<Eigen::Dynamic>(nExtents);
     }
 

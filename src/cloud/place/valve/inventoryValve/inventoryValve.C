@@ -19,14 +19,34 @@ namespace cghs
     //  radius
     constexpr scalar touchingDistance = 1.02;
 
-    //- A parcel that may go
+    //- A parcel that may go: one that touches before those that do not, by
+    //  their numbers, and those by their distance from the valve [m^2]. So it
+    //  does not depend on the ranks
     struct leaver
     {
+        scalar farSqr;
         label id;
         label rank;
         label index;
         scalar mass;
+
+        bool operator<(const leaver& b) const
+        {
+            return farSqr < b.farSqr || (farSqr == b.farSqr && id < b.id);
+        }
     };
+
+
+    //- The same list of all ranks on all ranks, by rank
+    template<class Type>
+    static List<List<Type>> ofAllRanks(const UList<Type>& own)
+    {
+        List<List<Type>> all(Pstream::nProcs());
+        all[Pstream::myProcNo()] = own;
+        Pstream::gatherList(all);
+        Pstream::scatterList(all);
+        return all;
+    }
 }
 }
 
@@ -40,35 +60,91 @@ Foam::cghs::inventoryValve::inventoryValve
 :
     patch_(patchi),
     inventory_(scalarInRange(dict, "inventory", 0, GREAT)),
+    reach_(dict.found("reach") ? scalarInRange(dict, "reach", 0, GREAT) : 0),
     triangles_(gatherTriangles(mesh.boundaryMesh()[patchi])),
     box_(boundsOf(triangles_))
 {
-    warnUnknownEntries(dict, wordList({"type", "inventory"}));
+    warnUnknownEntries(dict, wordList({"type", "inventory", "reach"}));
 }
 
 
-bool Foam::cghs::inventoryValve::touches(const sphere& s) const
+Foam::scalar Foam::cghs::inventoryValve::distanceSqr
+(
+    const point& x,
+    const scalar within
+) const
 {
-    const scalar reach = touchingDistance*s.r;
-    const vector margin(vector::uniform(reach));
+    scalar nearest = GREAT;
+    const vector margin(vector::uniform(within));
 
-    if (!boundBox(box_.min() - margin, box_.max() + margin).contains(s.x))
+    if (boundBox(box_.min() - margin, box_.max() + margin).contains(x))
     {
-        return false;
-    }
-
-    for (const patchTriangle& t : triangles_)
-    {
-        const FixedList<point, 3>& c = t.corners;
-        const vector nearest(closestPoint(c[0], c[1], c[2], s.x).point);
-
-        if (magSqr(nearest - s.x) < sqr(reach))
+        for (const patchTriangle& t : triangles_)
         {
-            return true;
+            const FixedList<point, 3>& c = t.corners;
+            const point there(closestPoint(c[0], c[1], c[2], x).point);
+
+            nearest = min(nearest, magSqr(there - x));
         }
     }
 
-    return false;
+    return nearest < sqr(within) ? nearest : GREAT;
+}
+
+
+Foam::List<Foam::cghs::leaver> Foam::cghs::inventoryValve::candidates
+(
+    const arena& parcels,
+    const labelUList& exits
+) const
+{
+    DynamicList<scalar> farSqr;
+    DynamicList<label> ids;
+    DynamicList<label> indices;
+    DynamicList<scalar> masses;
+
+    for (label i = 0; i < parcels.size(); ++i)
+    {
+        const sphere& s = parcels.spheres[i];
+        const scalar touching = touchingDistance*s.r;
+        const scalar away =
+            exits[i] == -1 ? distanceSqr(s.x, max(touching, reach_)) : GREAT;
+
+        if (away < GREAT)
+        {
+            farSqr.append(away < sqr(touching) ? 0 : away);
+            ids.append(parcels.ids[i]);
+            indices.append(i);
+            masses.append(parcels.motions[i].mass());
+        }
+    }
+
+    const auto allFar = ofAllRanks<scalar>(farSqr);
+    const auto allIds = ofAllRanks<label>(ids);
+    const auto allIndices = ofAllRanks<label>(indices);
+    const auto allMasses = ofAllRanks<scalar>(masses);
+    DynamicList<leaver> leavers;
+
+    forAll(allIds, rank)
+    {
+        forAll(allIds[rank], k)
+        {
+            leavers.append
+            (
+                leaver
+                {
+                    allFar[rank][k],
+                    allIds[rank][k],
+                    rank,
+                    allIndices[rank][k],
+                    allMasses[rank][k]
+                }
+            );
+        }
+    }
+
+    std::sort(leavers.begin(), leavers.end());
+    return List<leaver>(std::move(leavers));
 }
 
 
@@ -84,49 +160,9 @@ Foam::scalar Foam::cghs::inventoryValve::release
         return 0;
     }
 
-    // By their numbers, so that it does not depend on the ranks
-    List<List<label>> ids(Pstream::nProcs());
-    List<List<scalar>> masses(Pstream::nProcs());
-    DynamicList<label> touching;
-    {
-        DynamicList<label> ownIds;
-        DynamicList<scalar> ownMasses;
-
-        for (label i = 0; i < parcels.size(); ++i)
-        {
-            if (exits[i] == -1 && touches(parcels.spheres[i]))
-            {
-                touching.append(i);
-                ownIds.append(parcels.ids[i]);
-                ownMasses.append(parcels.motions[i].mass());
-            }
-        }
-        ids[Pstream::myProcNo()] = ownIds;
-        masses[Pstream::myProcNo()] = ownMasses;
-    }
-    Pstream::gatherList(ids);
-    Pstream::scatterList(ids);
-    Pstream::gatherList(masses);
-    Pstream::scatterList(masses);
-
-    DynamicList<leaver> leavers;
-    forAll(ids, rank)
-    {
-        forAll(ids[rank], k)
-        {
-            leavers.append(leaver{ids[rank][k], rank, k, masses[rank][k]});
-        }
-    }
-    std::sort
-    (
-        leavers.begin(),
-        leavers.end(),
-        [](const leaver& a, const leaver& b) { return a.id < b.id; }
-    );
-
     scalar released = 0;
 
-    for (const leaver& it : leavers)
+    for (const leaver& it : candidates(parcels, exits))
     {
         if (mass - released - it.mass >= inventory_)
         {
@@ -134,7 +170,7 @@ Foam::scalar Foam::cghs::inventoryValve::release
 
             if (it.rank == Pstream::myProcNo())
             {
-                exits[touching[it.index]] = patch_;
+                exits[it.index] = patch_;
             }
         }
     }
