@@ -19,7 +19,7 @@
 
 import sys
 from collections import namedtuple
-from math import cos, pi, sin, tan
+from math import pi
 from pathlib import Path
 
 try:
@@ -68,11 +68,9 @@ def disc(radius, z):
     return fan(ring(radius, z), [0, 0, z])
 
 
-# Pipes. The axis of one meets the wall at a height and goes out towards side
-# times x, rising by the angle tilt; its end is a disc across it, whose centre is
-# at the distance end from the axis of the vessel. wall and mouth are patches.
-Pipe = namedtuple("Pipe", "wall mouth radius height side end tilt",
-                  defaults=(1, None, 0))
+# A level pipe: wall and mouth are patches, side is that of the x axis; end is
+# that of the pipe, from the vessel's axis
+Pipe = namedtuple("Pipe", "wall mouth radius height end side", defaults=(1,))
 
 
 class PipedWall:
@@ -109,45 +107,29 @@ class PipedWall:
         z = [low[:-1], up[:-1], high[:-1], up[::-1]]
         return np.concatenate(angle), np.concatenate(z)
 
-    def _turns(self, pipe, angle, z):
-        """Angles about the pipe's axis, in the directions of the points."""
-        return np.arctan2(z - pipe.height,
+    def _mouth(self, pipe, angle, z):
+        """Where the pipe meets the cylinder, in the directions of the
+        points."""
+        turn = np.arctan2(z - pipe.height,
                           angle*self.reach*STEPS/(2*pi*self.window))
-
-    def _mouth(self, pipe, turn):
-        """Where the pipe meets the cylinder."""
         y = pipe.radius*np.cos(turn)
-        up = pipe.radius*np.sin(turn)
-        x = np.sqrt(self.radius**2 - y**2)
-        along = (x - self.radius + up*sin(pipe.tilt))/cos(pipe.tilt)
-        return np.stack([x, y, pipe.height + along*sin(pipe.tilt)
-                         + up*cos(pipe.tilt)], axis=-1)
-
-    def _end(self, pipe, turn):
-        """The rim of the pipe's other end, and its centre."""
-        up = pipe.radius*np.sin(turn)
-        centre = np.array([
-            pipe.end, 0,
-            pipe.height + (pipe.end - self.radius)*tan(pipe.tilt)])
-        return np.stack([centre[0] - up*sin(pipe.tilt),
-                         pipe.radius*np.cos(turn),
-                         centre[2] + up*cos(pipe.tilt)], axis=-1), centre
+        return np.stack([np.sqrt(self.radius**2 - y**2), y,
+                         pipe.height + pipe.radius*np.sin(turn)], axis=-1)
 
     def pipe_surfaces(self, pipe):
         """Of the wall between the mouth and the edge of the window, and of the
         pipe."""
         angle, z = self._edge(pipe)
-        turn = self._turns(pipe, angle, z)
-        end, centre = self._end(pipe, turn)
+        inner = self._mouth(pipe, angle, z)
+        outer = on_circle(self.radius, angle, z)
+        end = inner.copy()
+        end[:, 0] = pipe.end
         turned = np.array([pipe.side, pipe.side, 1])
-        inner, outer, end, centre = (
-            points*turned for points in
-            (self._mouth(pipe, turn), on_circle(self.radius, angle, z), end,
-             centre))
+        inner, outer, end = inner*turned, outer*turned, end*turned
         return {
             self.patch: strip(inner, outer),
             pipe.wall: strip(inner, end),
-            pipe.mouth: fan(end, centre),
+            pipe.mouth: fan(end, [pipe.side*pipe.end, 0, pipe.height]),
         }
 
 

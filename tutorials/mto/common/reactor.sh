@@ -1,0 +1,111 @@
+# shellcheck shell=bash
+#------------------------------------------------------------------------------
+# cghsFoam: coarse-grained hard-sphere fluidised beds for OpenFOAM
+# Licence: GPL-3.0-or-later, see the file LICENSE
+#
+# Description
+#     What the Allruns of the reactor in three dimensions share, on top of
+#     tutorials/lib/tutorial.sh. Each has
+#
+#         readOptions quick factor= hours= -- "$@"
+#         checkFactor
+#         runOptions() { ...; }       # may use slowClock
+#         folderOf() { ...; }         # prints the run's folder, '.' or a name
+#
+#         buildProject
+#         shareCase
+#         runReactor
+#
+#     factor          of the slow clock, 1 if there is no option for it
+#------------------------------------------------------------------------------
+reactorCase="$PROJECT_DIR/tutorials/mto/common"
+factor=1
+
+
+checkFactor()
+{
+    factor="${option[factor]:-1}"
+    [[ "$factor" =~ ^[1-9][0-9]*$ ]] \
+ || fail "-factor needs a whole number from 1"
+}
+
+
+# 8 h of the catalyst, in steps of half an hour, by a clock that is 'factor'
+# times as fast as the flow from 5 s on; with 1 the flow's first 360 s
+slowClock()
+{
+    awk -v F="$factor" -v from=5 'BEGIN {
+        step = F > 1 ? 1800/F : 5
+        end = F > 1 ? from + 16*step : 360
+        printf "slowFactor      %d;\n", F
+        printf "slowFrom        %g;\n", from
+        printf "averageFrom     %g;\n", from
+        printf "endTime         %.8g;\n", end
+        printf "writeInterval   %.8g;\n", step
+    }'
+}
+
+
+# Put the files that all cases of the reactor have beside those of the
+# tutorial; what is there already stays
+shareCase()
+{
+    cp -rn "$reactorCase"/{0.orig,constant,system} "$here"
+    cp "$PROJECT_DIR/tutorials/mto/0D/constant/reactions" "$here/constant"
+}
+
+
+# Has the run in the folder begun and not reached its end?
+isPaused()
+{
+    [ -d "$1" ] || return
+    local reached endTime
+    reached="$(cd "$1" && latestTime)"
+    endTime="$(foamDictionary "$1/system/controlDict" -entry endTime -value)"
+    isLess 0 "$reached" && isLess "$reached" "$endTime"
+}
+
+
+# To the folder of the run, to go on or to begin. One that is quick begins anew,
+# unless it was paused.
+enterFolder()
+{
+    local folder="$1"
+    if [ "$folder" = . ]
+    then
+        quickOrHere
+        return
+    fi
+    [ "$choice" != quick ] || isPaused "$folder" || rm -rf "$folder"
+    [ -d "$folder" ] || freshCase "$folder"
+    cd "$folder" || exit
+}
+
+
+# Mesh, parcels, ranks
+prepare()
+{
+    mkdir -p constant/triSurface
+    "$here/vessel" constant/triSurface/reactor.stl
+    runApplication surfaceFeatureExtract
+    runApplication blockMesh
+    runApplication snappyHexMesh -overwrite
+    runApplication checkMesh
+    grep -q '^Mesh OK' log.checkMesh || fail "see $PWD/log.checkMesh"
+    rm -rf 0
+    cp -r 0.orig 0
+    runApplication fillParcels
+    echo "mesh and parcels: $(lastValue log.checkMesh cells:) cells," \
+        "$(grep -oE '[0-9]+ parcels' log.fillParcels | tail -n 1)"
+    [ "$ranks" -eq 1 ] || runApplication decomposePar
+}
+
+
+runReactor()
+{
+    enterFolder "$(folderOf)"
+    beginOrContinue
+    runToEnd
+    conclude "$PWD" "$PWD"
+    [ -z "$paused" ] || echo "paused: Allrun with the same options continues"
+}
