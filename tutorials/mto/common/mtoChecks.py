@@ -37,6 +37,9 @@ def feeding(run, checks):
     checks.below("catalyst below the inventory, most [parcels]",
                  max(INVENTORY - low, 0)/run.parcel_mass, 1.2,
                  "input: the valve lets out none below 9.0 kg; with its coke")
+    checks.below("catalyst over the inventory at the end, of that [-]",
+                 run.mass[-1]/INVENTORY - 1, 0.01,
+                 "input: as much leaves as comes in")
 
 
 def steady(run, checks):
