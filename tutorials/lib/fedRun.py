@@ -48,12 +48,27 @@ class FedRun(Run):
 
     def _by_reactions(self, name):
         """Total of a figure of reactions, as each step of the log has it."""
-        log = self.case / "log.cghsFoam"
-        rate = of.log_values(log, rf"\nreactions:.* {name}")
-        if not rate.size:
+        steps = self._steps_of_log(
+            re.compile(rf"^reactions:.* {name}[ =:]*({of._NUMBER})", re.M))
+        if not steps:
             return np.zeros(self.time.size)
-        times = of.log_values(log, r"\nTime =")[:rate.size]
-        return np.cumsum(np.interp(self.time, times, rate)*self.dt)
+        rate = np.interp(self.time, *zip(*steps.items()))
+        return np.cumsum(rate*self.dt)
+
+    def _steps_of_log(self, pattern):
+        """A number of each step, by its time. A run that was interrupted ends
+        with half a step, and makes those after the last time written anew when
+        it goes on: the last stand."""
+        steps = {}
+        log = (self.case / "log.cghsFoam").read_text()
+        for step in log.split("\nTime = ")[1:]:
+            found = pattern.search(step)
+            if found:
+                time = float(step.split(None, 1)[0])
+                while steps and next(reversed(steps)) >= time:
+                    steps.popitem()
+                steps[time] = float(found[1])
+        return steps
 
     # Not all cases have these
 
