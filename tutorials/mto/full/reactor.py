@@ -24,7 +24,7 @@ from tutorial import columns, np, of, ratio_of, seconds  # noqa: E402, F401
 
 # [m], as the script vessel has them
 WIDE_RADIUS, CONE, HEIGHT = 0.225, (1.02, 1.2), 2.04
-PIPE_RADIUS, PIPE_HEIGHT, PIPE_END = 0.03, 0.61, 0.21
+PIPE_RADIUS, PIPE_HEIGHT, PIPE_END = 0.03, 0.61, 0.15
 
 
 def radius(z):
