@@ -37,6 +37,10 @@ class Reactor(FedRun):
         """Time by the slow clock [s], see slowClock.H."""
         return time + (self.factor - 1)*np.maximum(time - self.slow_from, 0)
 
+    def hours(self, frame):
+        """Of a time that was written, by the slow clock."""
+        return self.slow(float(frame))/3600
+
     def read_series(self):
         super().read_series()
         self.feed = -self.at_steps("feedFlow")
@@ -70,3 +74,11 @@ class Reactor(FedRun):
         """Times, and by names mass fractions of the gas that leaves."""
         rows = series(self.case, "products")
         return rows[:, 0], dict(zip(("MeOH", "H2O", *GAS), rows[:, 1:].T))
+
+    def light_at(self, time):
+        """Light olefins of the hydrocarbon gas that leaves, mean of the second
+        before [%]."""
+        times, Y = self.products()
+        late = (times > time - 1) & (times <= time + 1e-9)
+        made = sum(Y[s][late].mean() for s in GAS)
+        return 100*sum(Y[s][late].mean() for s in LIGHT)/max(made, 1e-30)

@@ -8,7 +8,7 @@
 #     tutorials/lib/tutorial.sh. Each has
 #
 #         readOptions quick factor= hours= -- "$@"
-#         checkFactor
+#         checkFactor DEFAULT
 #         runOptions() { ...; }       # may use slowClock
 #         folderOf() { ...; }         # prints the run's folder, '.' or a name
 #
@@ -16,7 +16,7 @@
 #         shareCase
 #         runReactor
 #
-#     factor          of the slow clock, 1 if there is no option for it
+#     factor          of the slow clock
 #------------------------------------------------------------------------------
 reactorCase="$PROJECT_DIR/tutorials/mto/common"
 factor=1
@@ -24,7 +24,7 @@ factor=1
 
 checkFactor()
 {
-    factor="${option[factor]:-1}"
+    factor="${option[factor]:-$1}"
     [[ "$factor" =~ ^[1-9][0-9]*$ ]] \
  || fail "-factor needs a whole number from 1"
 }
@@ -43,6 +43,15 @@ slowClock()
         printf "endTime         %.8g;\n", end
         printf "writeInterval   %.8g;\n", step
     }'
+    [ "$factor" -eq 1 ] || throughMouth
+}
+
+
+# What a slow clock feeds is more than the tube passes, 0.1 to 0.16 kg/s: the
+# valve takes what is in the tube and, 40 mm high, at its mouth as well
+throughMouth()
+{
+    echo "valveReach      0.1;"
 }
 
 
@@ -74,6 +83,8 @@ enterFolder()
     if [ "$folder" = . ]
     then
         quickOrHere
+        # A fresh start has cleaned up
+        shareCase
         return
     fi
     [ "$choice" != quick ] || isPaused "$folder" || rm -rf "$folder"

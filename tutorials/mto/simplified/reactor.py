@@ -19,3 +19,6 @@ sys.path += [str(PROJECT / "tutorials" / folder)
              for folder in ("lib", "mto/common")]
 from mtoRun import GAS, LIGHT, Reactor  # noqa: E402, F401
 from tutorial import np, of  # noqa: E402, F401
+
+# Of the vessel above the floor [m], as the script vessel has it
+HEIGHT = 0.8
