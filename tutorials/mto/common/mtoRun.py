@@ -8,6 +8,8 @@
 # ------------------------------------------------------------------------------
 """The reactor in three dimensions: its inputs and series in time."""
 
+import re
+
 from fedRun import FedRun
 from lowerEnd import RADIUS
 from tutorial import columns, np, of, option, series
@@ -40,6 +42,10 @@ class Reactor(FedRun):
     def hours(self, frame):
         """Of a time that was written, by the slow clock."""
         return self.slow(float(frame))/3600
+
+    def cells(self):
+        log = (self.case/"log.checkMesh").read_text()
+        return int(re.search(r"\n +cells: +(\d+)", log)[1])
 
     def read_series(self):
         super().read_series()
