@@ -31,15 +31,16 @@ checkFactor()
 
 
 # 8 h of the catalyst, in steps of half an hour, by a clock that is 'factor'
-# times as fast as the flow from 5 s on; with 1 the flow's first 360 s
+# times as fast as the flow, once that has had as long as such a step takes; with
+# 1 the flow's first 360 s
 slowClock()
 {
-    awk -v F="$factor" -v from=5 'BEGIN {
+    awk -v F="$factor" 'BEGIN {
         step = F > 1 ? 1800/F : 5
-        end = F > 1 ? from + 16*step : 360
+        end = F > 1 ? 17*step : 360
         printf "slowFactor      %d;\n", F
-        printf "slowFrom        %g;\n", from
-        printf "averageFrom     %g;\n", from
+        printf "slowFrom        %.8g;\n", step
+        printf "averageFrom     %.8g;\n", step
         printf "endTime         %.8g;\n", end
         printf "writeInterval   %.8g;\n", step
     }'
