@@ -26,6 +26,9 @@ from tutorial import columns, np, of, ratio_of, seconds  # noqa: E402, F401
 WIDE_RADIUS, CONE, HEIGHT = 0.225, (1.02, 1.2), 2.04
 PIPE_RADIUS, PIPE_HEIGHT, PIPE_END = 0.03, 0.61, 0.15
 
+# [s] until the gas of the start has left: 0.2 m3 at 0.02 m3/s, and a bit
+RENEWED = 12
+
 
 def radius(z):
     """Of the vessel at the heights [m]."""
@@ -65,18 +68,25 @@ class WholeReactor(Reactor):
         error [kg/s]."""
         return self.rate_of(self.escaped)
 
+    # Of the gas that leaves: means from where that of the start has left
+
+    def has_products(self):
+        return self.window is not None and self.end > 1.25*RENEWED
+
+    def _late(self, time):
+        return time > max(self.window[0], RENEWED)
+
     def light(self):
-        """Light olefins of the hydrocarbon gas that leaves, mean of the window
-        and its error [-]."""
+        """Light olefins of the hydrocarbon gas, and the error of that [-]."""
         time, Y = self.products()
-        inside = time > self.window[0]
+        inside = self._late(time)
         return ratio_of(*(sum(Y[s][inside] for s in names)
                           for names in (LIGHT, GAS)))
 
     def converted(self):
-        """Of the methanol that enters, mean of the window and its error [-]."""
+        """Of the methanol that enters, and the error of that [-]."""
         rows = columns(self.case, "balance")
-        inside = rows["time"] > self.window[0]
+        inside = self._late(rows["time"])
         left, error = ratio_of(rows["out(MeOH)"][inside],
                                rows["in(MeOH)"][inside])
         return 1 - left, error
