@@ -203,7 +203,7 @@ class FedRun(Run):
         if raised:
             checks.below("voidage raised to its bound, mean of the run [cells]",
                          cells.mean(), raised,
-                         "limit: 1 % of the cells, where each counts its own")
+                         "limit: 1 % of the bed's, where each counts its own")
         else:
             checks.below("voidage raised to its bound, most cells [-]",
                          cells.max(), 0,

@@ -23,7 +23,7 @@ def inputs(run, checks):
 
 
 def conservation(run, checks):
-    run.check_solids(checks, 1e-8, raised=0.01*run.cells())
+    run.check_solids(checks, 1e-8, raised=0.01*run.bed_cells())
     defects = run.element_defects()
     for element in ("C", "mass"):
         checks.below(f"{element} from nowhere, of what is there and flows [-]",

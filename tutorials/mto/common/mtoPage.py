@@ -43,7 +43,7 @@ def plot_height(run, results):
 
 
 def shown_frames(run):
-    """The start, and those nearest to 0.5, 1, 2, 4 and 8 h."""
+    """Those written nearest to the start, 0.5, 1, 2, 4 and 8 h."""
     near = {min(run.frames, key=lambda f: abs(run.hours(f) - hour))
             for hour in (0, 0.5, 1, 2, 4, 8)}
     return sorted(near, key=float)

@@ -8,8 +8,6 @@
 # ------------------------------------------------------------------------------
 """The reactor in three dimensions: its inputs and series in time."""
 
-import re
-
 from fedRun import FedRun
 from lowerEnd import RADIUS
 from tutorial import columns, np, of, option, series
@@ -21,6 +19,7 @@ FEED, STEAM = 27/3600, 0.12/3600        # gas [kg/s]
 CATALYST = 8.8/3600                     # [kg/s]
 INVENTORY, BED_HEIGHT = 9.0, 0.4        # [kg], [m]
 PRESSURE = 101325.0                     # [Pa]
+CELL = 0.02                             # [m]
 
 GAS = ("CH4", "C2H4", "C3H6", "C3H8", "C4H8", "C5H10")
 LIGHT = ("C2H4", "C3H6")
@@ -43,9 +42,9 @@ class Reactor(FedRun):
         """Of a time that was written, by the slow clock."""
         return self.slow(float(frame))/3600
 
-    def cells(self):
-        log = (self.case/"log.checkMesh").read_text()
-        return int(re.search(r"\n +cells: +(\d+)", log)[1])
+    def bed_cells(self):
+        """As many as fill the bed."""
+        return AREA*BED_HEIGHT/CELL**3
 
     def read_series(self):
         super().read_series()

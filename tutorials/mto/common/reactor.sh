@@ -31,8 +31,8 @@ checkFactor()
 
 
 # 8 h of the catalyst, in steps of half an hour, by a clock that is 'factor'
-# times as fast as the flow, once that has had as long as such a step takes; with
-# 1 the flow's first 360 s
+# times as fast as the flow, once that has had as long as such a step takes;
+# with 1 the flow's first 360 s
 slowClock()
 {
     awk -v F="$factor" 'BEGIN {
@@ -49,7 +49,8 @@ slowClock()
 
 
 # What a slow clock feeds is more than the tube passes, 0.1 to 0.16 kg/s: the
-# valve takes what is in the tube and, 40 mm high, at its mouth as well
+# valve takes what is in the tube and, as the distance does not see the floor, a
+# dome over it of 0.22 m and 40 mm as well, the nearest first
 throughMouth()
 {
     echo "valveReach      0.1;"
@@ -61,36 +62,43 @@ throughMouth()
 shareCase()
 {
     cp -rn "$reactorCase"/{0.orig,constant,system} "$here"
-    cp "$PROJECT_DIR/tutorials/mto/0D/constant/reactions" "$here/constant"
+    cp -n "$PROJECT_DIR/tutorials/mto/0D/constant/reactions" "$here/constant"
 }
 
 
-# Has the run in the folder begun and not reached its end?
+# Has the run in the folder written a time?
+hasBegun()
+{
+    [ -d "$1" ] && isLess 0 "$(cd "$1" && latestTime)"
+}
+
+
+# Has it begun, and not reached its end?
 isPaused()
 {
-    [ -d "$1" ] || return
-    local reached endTime
-    reached="$(cd "$1" && latestTime)"
+    hasBegun "$1" || return
+    local endTime
     endTime="$(foamDictionary "$1/system/controlDict" -entry endTime -value)"
-    isLess 0 "$reached" && isLess "$reached" "$endTime"
+    isLess "$(cd "$1" && latestTime)" "$endTime"
 }
 
 
 # To the folder of the run, to go on or to begin. One that is quick begins anew,
-# unless it was paused.
+# unless it was paused. Runs in other folders stay.
 enterFolder()
 {
     local folder="$1"
-    if [ "$folder" = . ]
+    if { [ "$choice" != quick ] && hasBegun "$folder"; } || isPaused "$folder"
     then
-        quickOrHere
-        # A fresh start has cleaned up
+        cd "$folder" || exit
+    elif [ "$folder" = . ]
+    then
+        "$reactorCase/clean" "$here" here
         shareCase
-        return
+    else
+        freshCase "$folder"
+        cd "$folder" || exit
     fi
-    [ "$choice" != quick ] || isPaused "$folder" || rm -rf "$folder"
-    [ -d "$folder" ] || freshCase "$folder"
-    cd "$folder" || exit
 }
 
 
