@@ -17,7 +17,7 @@ if PROJECT is None:
     sys.exit(f"{Path(__file__).parent} is not within a cghsFoam")
 sys.path += [str(PROJECT / "tutorials" / folder)
              for folder in ("lib", "mto/common")]
-from mtoRun import GAS, LIGHT, Reactor  # noqa: E402, F401
+from mtoRun import Reactor  # noqa: E402, F401
 from tutorial import np, of  # noqa: E402, F401
 
 # Of the vessel above the floor [m], as the script vessel has it
