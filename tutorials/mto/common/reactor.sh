@@ -58,11 +58,31 @@ throughMouth()
 
 
 # Put the files that all cases of the reactor have beside those of the
-# tutorial; what is there already stays
+# tutorial. What is there already stays, and is named where it differs.
 shareCase()
 {
-    cp -rn "$reactorCase"/{0.orig,constant,system} "$here"
-    cp -n "$PROJECT_DIR/tutorials/mto/0D/constant/reactions" "$here/constant"
+    local name
+    while read -r name
+    do
+        shareFile "$reactorCase/$name" "$name"
+    done < <(cd "$reactorCase" && find 0.orig constant system -type f)
+    shareFile "$PROJECT_DIR/tutorials/mto/0D/constant/reactions" \
+        constant/reactions
+}
+
+
+# shareFile FILE NAME
+shareFile()
+{
+    if [ ! -e "$here/$2" ]
+    then
+        mkdir -p "$(dirname "$here/$2")"
+        cp "$1" "$here/$2"
+    elif ! cmp -s "$1" "$here/$2"
+    then
+        echo "$2 differs from ${1#"$PROJECT_DIR"/} and is used as it is here;" \
+            "to have that: rm $2"
+    fi
 }
 
 
@@ -127,5 +147,11 @@ runReactor()
     beginOrContinue
     runToEnd
     conclude "$PWD" "$PWD"
+    sayIfPaused
+}
+
+
+sayIfPaused()
+{
     [ -z "$paused" ] || echo "paused: Allrun with the same options continues"
 }
