@@ -22,7 +22,7 @@ from pathlib import Path
 
 import numpy as np
 
-_NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+|nan|inf)(?:[eE][-+]?\d+)?"
+NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+|nan|inf)(?:[eE][-+]?\d+)?"
 
 
 def result(case, error, tolerance, seconds=None):
@@ -65,7 +65,7 @@ def times(case="."):
         entry.name
         for folder in folders
         for entry in folder.iterdir()
-        if entry.is_dir() and re.fullmatch(_NUMBER, entry.name)
+        if entry.is_dir() and re.fullmatch(NUMBER, entry.name)
     }
     return sorted(names, key=float)
 
@@ -212,7 +212,7 @@ def positions(case, time, cloud):
         path = folder / "lagrangian" / cloud / "positions"
         if has(path):
             rows = re.findall(
-                rf"\(\s*({_NUMBER})\s+({_NUMBER})\s+({_NUMBER})\s*\)",
+                rf"\(\s*({NUMBER})\s+({NUMBER})\s+({NUMBER})\s*\)",
                 read(path),
             )
             parts.append(np.array(rows, float).reshape(-1, 3))
@@ -243,7 +243,7 @@ def cloud_by_id(case, time, cloud, *names):
 
 def log_values(path, text):
     """All numbers that follow the text in a log, one a line with it."""
-    pattern = rf"{text}[ =:]*({_NUMBER})"
+    pattern = rf"{text}[ =:]*({NUMBER})"
     return np.array(re.findall(pattern, Path(path).read_text()), float)
 
 

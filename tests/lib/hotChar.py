@@ -132,7 +132,7 @@ def powers(case, *names):
     """What the gas got by these ways, of each step [W]."""
     log = (case.folder/"log.cghsFoam").read_text()
     lines = re.findall(r"energy: stored .*", log)
-    return sum(np.array([float(re.search(rf"{name} ({of._NUMBER})", line)[1])
+    return sum(np.array([float(re.search(rf"{name} ({of.NUMBER})", line)[1])
                          for line in lines]) for name in names)
 
 

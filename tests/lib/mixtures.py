@@ -72,7 +72,7 @@ def logged(case, name, what):
     lines = re.findall(rf"species {name}: (.*?\n.*?)\n",
                        (case.folder/"log.cghsFoam").read_text())
     return np.array([
-        float(re.search(rf"{what} ({of._NUMBER})", text)[1]) for text in lines])
+        float(re.search(rf"{what} ({of.NUMBER})", text)[1]) for text in lines])
 
 
 def largest_defect(case, *names):

@@ -46,7 +46,7 @@ def block(text, name):
 
 def value(text, name):
     """A number, or none."""
-    match = re.search(rf"\b{name}\s+({of._NUMBER})\s*;", text)
+    match = re.search(rf"\b{name}\s+({of.NUMBER})\s*;", text)
     return float(match[1]) if match else None
 
 

@@ -49,7 +49,7 @@ class FedRun(Run):
     def _by_reactions(self, name):
         """Total of a figure of reactions, as each step of the log has it."""
         steps = self._steps_of_log(
-            re.compile(rf"^reactions:.* {name}[ =:]*({of._NUMBER})", re.M))
+            re.compile(rf"^reactions:.* {name}[ =:]*({of.NUMBER})", re.M))
         if not steps:
             return np.zeros(self.time.size)
         rate = np.interp(self.time, *zip(*steps.items()))

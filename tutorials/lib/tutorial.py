@@ -50,7 +50,7 @@ BLOCKS = (5, 6, 8, 10)
 def number(path, name, default=None):
     """The number that is the value of an entry of a dictionary's file."""
     text = path.read_text() if path.exists() else ""
-    match = re.search(rf"(?:^|;)\s*{name}\s+({of._NUMBER})", text, re.M)
+    match = re.search(rf"(?:^|;)\s*{name}\s+({of.NUMBER})", text, re.M)
     if match:
         return float(match[1])
     if default is None:
