@@ -7,6 +7,7 @@
 #include "selectModel.H"
 #include "balancedWalls.H"
 #include "caseChecks.H"
+#include "species.H"
 #include "fvm.H"
 #include "fvc.H"
 #include "fvcFlux.H"
@@ -92,6 +93,7 @@ Foam::cghs::fluidModel::fluidModel
         dimensionedVector(dimPressure/dimLength, Zero)
     ),
     continuityError_(0),
+    nPasses_(0),
     options_(nullptr),
     U_
     (
@@ -205,6 +207,20 @@ void Foam::cghs::fluidModel::setYield
 }
 
 
+Foam::cghs::fluidModel::momentumSystem::momentumSystem
+(
+    const fvVectorMatrix& UEqn,
+    const surfaceScalarField& content,
+    const surfaceScalarField& gravity
+)
+:
+    UEqn(UEqn),
+    rAU("rAU", 1/UEqn.A()),
+    rAUf("rAUf", fvc::interpolate(rAU)),
+    forces(content*rAUf*gravity)
+{}
+
+
 Foam::tmp<Foam::surfaceScalarField>
 Foam::cghs::fluidModel::faceGradP() const
 {
@@ -218,7 +234,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::cghs::fluidModel::wholeFlux()
 
     if (yield_.active())
     {
-        tflux.ref() += contentf()/alphaf_*yield_.flux();
+        tflux.ref() += carriedContentf()/alphaf_*yield_.flux();
     }
 
     return tflux;
@@ -295,12 +311,22 @@ Foam::tmp<Foam::surfaceScalarField> Foam::cghs::fluidModel::predictedFlux
     const surfaceScalarField& forces
 )
 {
+    surfaceScalarField inertia(content*rAUf);
+
+    if (nPasses_ > 1)
+    {
+        // It is the step at most. Between unlike gases the mean of 1/A is that
+        // of the light one, content that of the heavy one: what the fluxes
+        // differ by from U would grow from step to step
+        inertia = min(inertia, mesh_.time().deltaT());
+    }
+
     tmp<surfaceScalarField> tflux
     (
         new surfaceScalarField
         (
             "phiHbyA",
-            fvc::flux(HbyA) + content*rAUf*fvc::ddtCorr(U_, phi_)
+            fvc::flux(HbyA) + inertia*fvc::ddtCorr(U_, phi_)
         )
     );
     surfaceScalarField& phiHbyA = tflux.ref();
@@ -377,14 +403,14 @@ void Foam::cghs::fluidModel::takeFluxes
 
 void Foam::cghs::fluidModel::correctPressure
 (
-    const fvVectorMatrix& UEqn,
-    const volScalarField& rAU,
-    const surfaceScalarField& rAUf,
-    const surfaceScalarField& forces
+    const momentumSystem& system
 )
 {
-    const volVectorField HbyA(constrainHbyA(rAU*UEqn.H(), U_, p_));
-    const tmp<surfaceScalarField> tcontentf(contentf());
+    const volScalarField& rAU = system.rAU;
+    const surfaceScalarField& rAUf = system.rAUf;
+    const surfaceScalarField& forces = system.forces;
+    const volVectorField HbyA(constrainHbyA(rAU*system.UEqn.H(), U_, p_));
+    const tmp<surfaceScalarField> tcontentf(carriedContentf());
     const surfaceScalarField& content = tcontentf();
     const tmp<surfaceScalarField> tflux
     (
@@ -448,16 +474,102 @@ void Foam::cghs::fluidModel::measureContinuity()
 }
 
 
-void Foam::cghs::fluidModel::solveFor(fvVectorMatrix& UEqn)
+bool Foam::cghs::fluidModel::pass
+(
+    const momentumSystem& system,
+    const cghsCloud& cloud,
+    const bool first
+)
+{
+    while (piso_.correct())
+    {
+        correctPressure(system);
+    }
+
+    if (!velocitySolved(first))
+    {
+        return false;
+    }
+    if (transported_.empty())
+    {
+        return true;
+    }
+
+    const bool done = solveTransported
+    (
+        momentumDensity()*wholeFlux(),
+        cloud,
+        [&]() { return !first || compositionFits(); }
+    );
+
+    return done && fits(first);
+}
+
+
+void Foam::cghs::fluidModel::startAgain
+(
+    const momentumSystem& system,
+    const cghsCloud& cloud
+)
+{
+    U_ == U_.oldTime();
+    p_ == p_.oldTime();
+    phi_ == phi_.oldTime();
+
+    if (yield_.active())
+    {
+        yield_.update(phi_, faceGradP());
+    }
+
+    transported_.takeBack();
+
+    const tmp<surfaceScalarField> flux(displace(volumeFlux(), source_));
+
+    if (piso_.momentumPredictor())
+    {
+        predictVelocity(system.UEqn);
+    }
+
+    solveTransported(flux, cloud, []() { return true; });
+}
+
+
+void Foam::cghs::fluidModel::makeStep
+(
+    const momentumSystem& system,
+    const cghsCloud& cloud
+)
+{
+    constexpr label most = 20;
+
+    nPasses_ = 1;
+
+    while (!pass(system, cloud, nPasses_ == 1) && nPasses_ < most)
+    {
+        if (nPasses_ == 1)
+        {
+            startAgain(system, cloud);
+        }
+
+        follow();
+        transported_.takeBack();
+        ++nPasses_;
+    }
+}
+
+
+void Foam::cghs::fluidModel::solveFor
+(
+    fvVectorMatrix& UEqn,
+    const cghsCloud& cloud
+)
 {
     addSources(UEqn);
 
     UEqn.relax();
     options_->constrain(UEqn);
 
-    const volScalarField rAU("rAU", 1/UEqn.A());
-    const surfaceScalarField rAUf("rAUf", fvc::interpolate(rAU));
-    surfaceScalarField forces(contentf()*rAUf*gravity_->inFluxes());
+    momentumSystem system(UEqn, contentf(), gravity_->inFluxes());
 
     if (piso_.momentumPredictor())
     {
@@ -465,25 +577,18 @@ void Foam::cghs::fluidModel::solveFor(fvVectorMatrix& UEqn)
     }
     if (yield_.active())
     {
-        forces += yield_.before()*rAUf;
+        system.forces += yield_.before()*system.rAUf;
     }
 
-    while (piso_.correct())
-    {
-        correctPressure(UEqn, rAU, rAUf, forces);
-    }
-
+    makeStep(system, cloud);
     measureContinuity();
 
-    if (!transported_.empty())
-    {
-        keepFluxes();
-    }
     if (yield_.active())
     {
         yield_.finish();
     }
 
+    transported_.finishStep();
     finishStep();
 }
 
@@ -491,7 +596,8 @@ void Foam::cghs::fluidModel::solveFor(fvVectorMatrix& UEqn)
 void Foam::cghs::fluidModel::solveBeside
 (
     const volVectorField& drag,
-    const volScalarField& response
+    const volScalarField& response,
+    const cghsCloud& cloud
 )
 {
     addProfiling(fluid, "cghs::fluid");
@@ -503,16 +609,16 @@ void Foam::cghs::fluidModel::solveBeside
         momentumEquation() + fvm::Sp(R, U_)
      == R*U_.oldTime() - drag/momentumDensity()
     );
-    solveFor(UEqn);
+    solveFor(UEqn, cloud);
 }
 
 
-void Foam::cghs::fluidModel::solveAlone()
+void Foam::cghs::fluidModel::solveAlone(const cghsCloud& cloud)
 {
     addProfiling(fluid, "cghs::fluid");
 
     tmp<fvVectorMatrix> UEqn(momentumEquation());
-    solveFor(UEqn.ref());
+    solveFor(UEqn.ref(), cloud);
 }
 
 
@@ -532,32 +638,28 @@ void Foam::cghs::fluidModel::solve(cghsCloud& cloud)
         solveBeside
         (
             solids.drag(mesh_.time().deltaTValue(), U_, rho(), response),
-            response
+            response,
+            cloud
         );
     }
     else
     {
         parcelMass_ = massTerms();
-        solveAlone();
-    }
-
-    if (!transported_.empty())
-    {
-        solveTransported(cloud);
+        solveAlone(cloud);
     }
 }
 
 
-void Foam::cghs::fluidModel::keepFluxes()
+Foam::tmp<Foam::surfaceScalarField> Foam::cghs::fluidModel::volumeFlux() const
 {
-    tmp<surfaceScalarField> volumeFlux(alphaf_*phi_);
+    tmp<surfaceScalarField> tflux(alphaf_*phi_);
 
     if (yield_.active())
     {
-        volumeFlux.ref() += yield_.flux();
+        tflux.ref() += yield_.flux();
     }
 
-    transported_.keepFluxes(momentumDensity()*wholeFlux(), volumeFlux);
+    return tflux;
 }
 
 
@@ -576,7 +678,12 @@ Foam::cghs::fluidModel::dissipation(const cghsCloud& cloud) const
 }
 
 
-void Foam::cghs::fluidModel::solveTransported(const cghsCloud& cloud)
+bool Foam::cghs::fluidModel::solveTransported
+(
+    const tmp<surfaceScalarField>& massFlux,
+    const cghsCloud& cloud,
+    const std::function<bool()>& goOn
+)
 {
     tmp<volScalarField> massSource;
 
@@ -599,11 +706,35 @@ void Foam::cghs::fluidModel::solveTransported(const cghsCloud& cloud)
         heating = dissipation(cloud);
     }
 
-    transported_.solve
+    const bool done = transported_.solve
     (
-        alpha_, rho(), massSource, given, heating, *options_, cloud
+        alpha_,
+        rho(),
+        massFlux(),
+        volumeFlux()(),
+        massSource,
+        given,
+        heating,
+        *options_,
+        cloud,
+        goOn
     );
-    transportedSolved();
+
+    if (done)
+    {
+        transportedSolved();
+    }
+
+    return done;
+}
+
+
+const Foam::surfaceScalarField*
+Foam::cghs::fluidModel::speciesWeights() const
+{
+    const species* mixing = transported_.mixing();
+
+    return mixing ? &mixing->weights() : nullptr;
 }
 
 

@@ -9,6 +9,12 @@
 #include "psiReactionThermo.H"
 #include "fvm.H"
 #include "fvc.H"
+#include "EulerDdtScheme.H"
+#include "fixedValueFvPatchFields.H"
+#include "zeroGradientFvPatchFields.H"
+#include "sharedWeights.H"
+#include "carriedDensity.H"
+#include "checkedEntry.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -94,6 +100,28 @@ static void meetNeighbours(volScalarField& field)
 
 // * * * * * * * * * * * * * * * Construction  * * * * * * * * * * * * * * * //
 
+Foam::cghs::gas::densityLag Foam::cghs::gas::readLag
+(
+    const dictionary& solution
+)
+{
+    const auto read = [&](const word& entry, const scalar ifNone)
+    {
+        const scalar value = solution.getOrDefault<scalar>(entry, ifNone);
+        checkRange(solution, entry, value, scalar(1e-8), scalar(GREAT));
+
+        return value;
+    };
+
+    return densityLag
+    {
+        read("compositionLag", 0.05),
+        read("temperatureLag", 0.5),
+        read("densityTolerance", 1e-3)
+    };
+}
+
+
 Foam::cghs::gas::gas
 (
     fvMesh& mesh,
@@ -118,6 +146,7 @@ Foam::cghs::gas::gas
         ),
         thermo_->psi()*p_
     ),
+    lag_(readLag(cloud.properties().subDict("solution"))),
     rhof_("rhof", fvc::interpolate(rho_)),
     mu_("mu", thermo_->mu()),
     alphaRhoPhi_("alphaRhoPhi", contentf()*phi_),
@@ -231,14 +260,35 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::cghs::gas::momentumEquation()
 
 void Foam::cghs::gas::addStorage(fvScalarMatrix& pEqn) const
 {
-    pEqn -= fvm::ddt(alpha_, psi(), p_);
+    tmp<fvScalarMatrix> tstorage(fvm::ddt(alpha_, psi(), p_));
+
+    if (slope_.valid())
+    {
+        // The same at the p that there is, but another slope
+        fvScalarMatrix& storage = tstorage.ref();
+        const scalarField steeper
+        (
+            storage.diag()*(slope_()/psi() - 1)().primitiveField()
+        );
+
+        storage.diag() += steeper;
+        storage.source() += steeper*pBefore_().primitiveField();
+    }
+
+    pEqn -= tstorage;
 }
 
 
 void Foam::cghs::gas::pressureSolved()
 {
+    if (slope_.valid())
+    {
+        psiOfRho_() = (psi()*pBefore_() + slope_()*(p_ - pBefore_()))/p_;
+        pBefore_() = p_;
+    }
+
     rho_ = psi()*p_;
-    rhof_ = fvc::interpolate(rho_);
+    setFaces();
 }
 
 
@@ -272,12 +322,17 @@ Foam::cghs::gas::momentumSource(fv::optionList& options)
 }
 
 
-void Foam::cghs::gas::finishStep()
+bool Foam::cghs::gas::velocitySolved(const bool first)
 {
     const scalar lowest = gMin(p_.primitiveField());
 
     if (!(lowest > 0))
     {
+        if (first && psiChanges())
+        {
+            return false;
+        }
+
         FatalErrorInFunction
             << "The pressure of the gas has fallen to " << lowest
             << " Pa: the run has gone out of hand." << nl
@@ -285,6 +340,14 @@ void Foam::cghs::gas::finishStep()
             << exit(FatalError);
     }
 
+    turbulence_->correct();
+
+    return true;
+}
+
+
+void Foam::cghs::gas::finishStep()
+{
     scalar outflow = 0;
     for (const fvsPatchScalarField& flux : alphaRhoPhi_.boundaryField())
     {
@@ -301,7 +364,18 @@ void Foam::cghs::gas::finishStep()
         mass_ - before
       + (outflow - totalSource())*mesh().time().deltaTValue();
 
-    turbulence_->correct();
+    if (psiChanges())
+    {
+        mu_ = thermo_->mu();
+    }
+    if (nPasses() > 1)
+    {
+        warnOfMisfit();
+        slope_.clear();
+        pBefore_.clear();
+        carriedRhof_.clear();
+        mixingFlux_.clear();
+    }
 }
 
 
@@ -339,8 +413,191 @@ void Foam::cghs::gas::transportedSolved()
     {
         keepTemperature();
     }
+    if (carriedRhof_.valid())
+    {
+        mixingFlux_.reset(new surfaceScalarField("mixingFlux", phi_));
+    }
+}
 
-    mu_ = thermo_->mu();
+
+// * * * * * * Density that follows what is transported * * * * * * * * * * * //
+
+void Foam::cghs::gas::setFaces()
+{
+    rhof_ = fvc::interpolate(rho_);
+
+    if (carriedRhof_.valid())
+    {
+        const surfaceScalarField* byMass =
+            slope_.valid() ? speciesWeights() : nullptr;
+
+        carriedRhof_() = surfaceInterpolationScheme<scalar>::interpolate
+        (
+            rho_,
+            byMass
+          ? mixingWeights(rho_, *byMass, mixingFlux_())
+          : donorWeights(rho_, phi_)
+        );
+    }
+}
+
+
+Foam::scalar Foam::cghs::gas::misfit() const
+{
+    return
+        gMax
+        (
+            mag
+            (
+                thermo_->psi().primitiveField()
+               /psiOfRho_().primitiveField()
+              - 1
+            )()
+        );
+}
+
+
+Foam::scalar Foam::cghs::gas::answered(const scalar change) const
+{
+    const scalarField& psi = thermo_->psi().primitiveField();
+
+    return change*gMax(psi)/gMin(psi);
+}
+
+
+bool Foam::cghs::gas::compositionFits() const
+{
+    if (!mixture_)
+    {
+        return true;
+    }
+
+    // Moles per mass
+    scalarField now(mesh().nCells(), Zero);
+    scalarField before(mesh().nCells(), Zero);
+
+    forAll(mixture_->Y(), k)
+    {
+        const volScalarField& Y = mixture_->Y(k);
+
+        now += Y.primitiveField()/mixture_->W(k);
+        before += Y.oldTime().primitiveField()/mixture_->W(k);
+    }
+
+    return answered(gMax(mag(before/now - 1)())) <= lag_.composition;
+}
+
+
+bool Foam::cghs::gas::fits(const bool first) const
+{
+    if (!first)
+    {
+        return misfit() <= lag_.tolerance;
+    }
+
+    return
+        !psiChanges()
+     || (
+            answered(misfit())
+         <= (transports("energy") ? lag_.temperature : lag_.composition)
+        );
+}
+
+
+void Foam::cghs::gas::warnOfMisfit() const
+{
+    static bool warned = false;
+    const scalar left = misfit();
+
+    if (warned || left <= lag_.tolerance)
+    {
+        return;
+    }
+
+    warned = true;
+    WarningInFunction
+        << "After " << nPasses() << " passes of a step the density still"
+        << " differs by " << left << " from that of composition and T, but"
+        << " densityTolerance is " << lag_.tolerance << nl
+        << "    Pressures and velocities may be wrong at that time. Take Gauss"
+        << " upwind for div(alphaRhoPhi,Yi_h), or another step" << nl
+        << "    This is said once, passes are in the log of each step"
+        << nl << endl;
+}
+
+
+Foam::tmp<Foam::volScalarField> Foam::cghs::gas::compressibility() const
+{
+    return
+        enthalpyTakesPressure()
+      ? psi()/thermo_->gamma()
+      : 1*psi();
+}
+
+
+void Foam::cghs::gas::follow()
+{
+    // What swings between two states comes to rest between them
+    const scalar share = nPasses() < 12 ? 1 : 0.5;
+
+    psiOfRho_() += share*(thermo_->psi() - psiOfRho_());
+    rho_ = psi()*p_;
+    slope_.reset(new volScalarField("slope", compressibility()));
+    setFaces();
+    pBefore_.reset(new volScalarField("pBefore", p_));
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::cghs::gas::displace
+(
+    const surfaceScalarField& volumeFlux,
+    const tmp<volScalarField>& source
+)
+{
+    rho_ == rho_.oldTime();
+    carriedRhof_.reset(new surfaceScalarField("carriedRhof", rhof_));
+    setFaces();
+
+    wordList types(rho_.boundaryField().types());
+
+    forAll(types, patchi)
+    {
+        if (!rho_.boundaryField()[patchi].coupled())
+        {
+            types[patchi] =
+                gSum(volumeFlux.boundaryField()[patchi]) < 0
+              ? fixedValueFvPatchScalarField::typeName
+              : zeroGradientFvPatchScalarField::typeName;
+        }
+    }
+
+    volScalarField moved
+    (
+        IOobject("moved", rho_.time().timeName(), rho_.mesh()),
+        rho_,
+        types
+    );
+    moved.oldTime() == rho_.oldTime();
+    mesh().setFluxRequired(moved.name());
+
+    fvScalarMatrix equation
+    (
+        fv::EulerDdtScheme<scalar>(rho_.mesh()).fvmDdt(alpha_, moved)
+      + sharedWeights::convection(volumeFlux, moved, donorWeights(rho_, phi_))
+    );
+
+    if (source.valid())
+    {
+        equation -= source();
+    }
+
+    equation.solve
+    (
+        mesh().solver(mixture_ ? word("Yi") : thermo_->he().name())
+    );
+    rho_ == moved;
+
+    return equation.flux();
 }
 
 
@@ -356,4 +613,9 @@ void Foam::cghs::gas::report(Ostream& os) const
 
     os  << "gas:    " << mass_ << " kg, of which " << massDefect_
         << " kg from nowhere" << nl;
+
+    if (nPasses() > 1)
+    {
+        os  << "        " << nPasses() << " passes, psi to " << misfit() << nl;
+    }
 }

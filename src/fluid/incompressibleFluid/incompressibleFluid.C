@@ -183,9 +183,11 @@ Foam::cghs::incompressibleFluid::momentumSource(fv::optionList& options)
 }
 
 
-void Foam::cghs::incompressibleFluid::finishStep()
+bool Foam::cghs::incompressibleFluid::velocitySolved(const bool)
 {
     turbulence_->correct();
+
+    return true;
 }
 
 

@@ -131,7 +131,8 @@ void Foam::cghs::checkEntries
         ({
             "coupling", "fluid", "maxDisplacement", "maxDeltaT",
             "neighbourSkin", "minVoidage", "transported", "energyCoeffs",
-            "slowClock"
+            "slowClock", "compositionLag", "temperatureLag",
+            "densityTolerance"
         })
     );
     wordList constants({"diameter", "density", "parcelWeight"});

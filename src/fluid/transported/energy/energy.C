@@ -108,6 +108,7 @@ Foam::cghs::energy::energy(const dictionary& dict, fluidModel& fluid)
     restart();
     he_.writeOpt() = IOobject::AUTO_WRITE;
     he_.oldTime();
+    thermo_.T().oldTime();
 }
 
 
@@ -520,7 +521,18 @@ void Foam::cghs::energy::update()
             << " or raise minVoidage" << nl
             << exit(FatalError);
     }
+}
 
+
+void Foam::cghs::energy::takeBack()
+{
+    he_ == he_.oldTime();
+    thermo_.T() == thermo_.T().oldTime();
+}
+
+
+void Foam::cghs::energy::finishStep()
+{
     Cp_ = thermo_.Cpv();
     kappa_ = thermo_.kappa();
 }

@@ -413,7 +413,25 @@ void Foam::cghs::species::solve
         closeSum();
         addUpInert(flow);
     }
-    closeBalances(flow);
+    weigh(flow);
+}
+
+
+void Foam::cghs::species::takeBack()
+{
+    for (volScalarField& Y : Y_)
+    {
+        Y == Y.oldTime();
+    }
+}
+
+
+void Foam::cghs::species::finishStep()
+{
+    for (speciesBudget& b : budgets_)
+    {
+        b.missing += b.defect()*fluid_.rho().time().deltaTValue();
+    }
 }
 
 // * * * * * * * * * * * * * * * For energy  * * * * * * * * * * * * * * * * //
@@ -630,17 +648,12 @@ void Foam::cghs::species::addUpInert(const fluidFlow& flow)
 }
 
 
-void Foam::cghs::species::closeBalances(const fluidFlow& flow)
+void Foam::cghs::species::weigh(const fluidFlow& flow)
 {
-    const scalar deltaT = flow.rho.time().deltaTValue();
-
     forAll(Y_, k)
     {
-        speciesBudget& b = budgets_[k];
-
-        b.mass =
+        budgets_[k].mass =
             fvc::domainIntegrate(flow.alpha*flow.rho*Y_[k]).value();
-        b.missing += b.defect()*deltaT;
     }
 }
 

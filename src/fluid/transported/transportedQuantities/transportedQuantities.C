@@ -6,6 +6,7 @@
 #include "transportedQuantities.H"
 #include "species.H"
 #include "cghsCloud.H"
+#include <algorithm>
 
 Foam::cghs::transportedQuantities::transportedQuantities
 (
@@ -98,45 +99,44 @@ Foam::cghs::transportedQuantities::mixing() const
 }
 
 
+bool Foam::cghs::transportedQuantities::any
+(
+    const std::function<bool(const transported&)>& says
+) const
+{
+    return std::any_of(quantities_.begin(), quantities_.end(), says);
+}
+
+
 bool Foam::cghs::transportedQuantities::dissipates() const
 {
-    for (const transported& quantity : quantities_)
-    {
-        if (quantity.dissipates())
-        {
-            return true;
-        }
-    }
-
-    return false;
+    return any([](const transported& q) { return q.dissipates(); });
 }
 
 
-void Foam::cghs::transportedQuantities::keepFluxes
-(
-    const tmp<surfaceScalarField>& massFlux,
-    const tmp<surfaceScalarField>& volumeFlux
-)
+bool Foam::cghs::transportedQuantities::takesPressure() const
 {
-    massFlux_ = massFlux;
-    volumeFlux_ = volumeFlux;
+    return any([](const transported& q) { return q.takesPressure(); });
 }
 
 
-void Foam::cghs::transportedQuantities::solve
+bool Foam::cghs::transportedQuantities::solve
 (
     const volScalarField& alpha,
     const volScalarField& rho,
+    const surfaceScalarField& massFlux,
+    const surfaceScalarField& volumeFlux,
     const tmp<volScalarField>& source,
     const tmp<volScalarField>& given,
     const tmp<volScalarField>& dissipation,
     fv::optionList& options,
-    const cghsCloud& cloud
+    const cghsCloud& cloud,
+    const std::function<bool()>& goOn
 )
 {
     fluidFlow flow
     {
-        alpha, rho, massFlux_(), volumeFlux_(), nullptr, nullptr, options,
+        alpha, rho, massFlux, volumeFlux, nullptr, nullptr, options,
         nullptr, mixing()
     };
 
@@ -158,13 +158,35 @@ void Foam::cghs::transportedQuantities::solve
         return cloud.isFelt() ? cloud.terms(name) : exchangeTerms();
     };
 
-    for (transported& quantity : quantities_)
+    forAll(quantities_, i)
     {
-        quantity.solve(flow, terms);
+        if (i && !goOn())
+        {
+            return false;
+        }
+
+        quantities_[i].solve(flow, terms);
     }
 
-    massFlux_.clear();
-    volumeFlux_.clear();
+    return true;
+}
+
+
+void Foam::cghs::transportedQuantities::takeBack()
+{
+    for (transported& quantity : quantities_)
+    {
+        quantity.takeBack();
+    }
+}
+
+
+void Foam::cghs::transportedQuantities::finishStep()
+{
+    for (transported& quantity : quantities_)
+    {
+        quantity.finishStep();
+    }
 }
 
 
