@@ -13,6 +13,7 @@
 #include "fvcFlux.H"
 #include "constrainHbyA.H"
 #include "constrainPressure.H"
+#include "fixedGradientFvPatchFields.H"
 #include "checkedEntry.H"
 #include "profiling.H"
 
@@ -33,6 +34,21 @@ static IOobject fieldIO
 )
 {
     return IOobject(name, mesh.time().timeName(), mesh, read, write);
+}
+
+
+//- Let patches that give a gradient have that of their values
+static void takeGradients(volScalarField& field)
+{
+    for (fvPatchScalarField& there : field.boundaryFieldRef())
+    {
+        if (isA<fixedGradientFvPatchScalarField>(there))
+        {
+            refCast<fixedGradientFvPatchScalarField>(there).gradient() =
+                (there - there.patchInternalField())
+               *there.patch().deltaCoeffs();
+        }
+    }
 }
 
 
@@ -514,6 +530,7 @@ void Foam::cghs::fluidModel::startAgain
 {
     U_ == U_.oldTime();
     p_ == p_.oldTime();
+    takeGradients(p_);
     phi_ == phi_.oldTime();
 
     if (yield_.active())
@@ -524,6 +541,8 @@ void Foam::cghs::fluidModel::startAgain
     transported_.takeBack();
 
     const tmp<surfaceScalarField> flux(displace(volumeFlux(), source_));
+
+    U_.correctBoundaryConditions();
 
     if (piso_.momentumPredictor())
     {

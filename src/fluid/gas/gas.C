@@ -284,7 +284,7 @@ void Foam::cghs::gas::pressureSolved()
     if (slope_.valid())
     {
         psiOfRho_() = (psi()*pBefore_() + slope_()*(p_ - pBefore_()))/p_;
-        pBefore_() = p_;
+        pBefore_() == p_;
     }
 
     rho_ = psi()*p_;
@@ -519,8 +519,9 @@ void Foam::cghs::gas::warnOfMisfit() const
         << "After " << nPasses() << " passes of a step the density still"
         << " differs by " << left << " from that of composition and T, but"
         << " densityTolerance is " << lag_.tolerance << nl
-        << "    Pressures and velocities may be wrong at that time. Take Gauss"
-        << " upwind for div(alphaRhoPhi,Yi_h), or another step" << nl
+        << "    Pressures and velocities may be wrong at that time. Take"
+        << " shorter steps, or Gauss upwind for div(alphaRhoPhi,"
+        << (mixture_ ? word("Yi_h") : thermo_->he().name()) << ')' << nl
         << "    This is said once, passes are in the log of each step"
         << nl << endl;
 }

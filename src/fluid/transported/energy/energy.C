@@ -5,6 +5,7 @@
 
 #include "energy.H"
 #include "fluidModel.H"
+#include "psiThermo.H"
 #include "species.H"
 #include "sharedWeights.H"
 #include "caseChecks.H"
@@ -108,7 +109,12 @@ Foam::cghs::energy::energy(const dictionary& dict, fluidModel& fluid)
     restart();
     he_.writeOpt() = IOobject::AUTO_WRITE;
     he_.oldTime();
-    thermo_.T().oldTime();
+
+    // A gas may make its step once more
+    if (isA<psiThermo>(thermo_))
+    {
+        thermo_.T().oldTime();
+    }
 }
 
 
