@@ -70,7 +70,11 @@ Foam::cghs::reactingCell::reactingCell
     tolerances_(tolerated),
     nSolids_(scheme.solids().size()),
     nReactions_(scheme.inParticles().size()),
-    integrator_(arrowIntegrator::New(nReactions_ + nEnergies_)),
+    inputs_(scheme),
+    values_(inputs_.list().size(), 0),
+    slopes_(inputs_.nRows()*inputs_.active().size(), 0),
+    views_(inputs_.nViews()*(nFluid_ + nEnergies_), 0),
+    integrator_(arrowIntegrator::New(inputs_.active().size())),
     G_((nFluid_ + nEnergies_)*(nReactions_ + nEnergies_), 0),
     z_(nFluid_ + nEnergies_, 0),
     p_(0),
@@ -78,17 +82,14 @@ Foam::cghs::reactingCell::reactingCell
     concentration_(nFluid_, 0),
     fluidH_(nFluid_, 0),
     fluidCp_(nFluid_, 0),
-    dcdz_(nFluid_*(nFluid_ + nEnergies_), 0),
     massGain_(nReactions_, 0),
     volumeGain_(nReactions_, 0),
-    solidGain_(nSolids_*nReactions_, 0),
     carriers_(nReactions_),
     warned_(false),
     n_(nSolids_, 0),
+    dn_(nSolids_, 0),
     looked_(-1),
-    lookedX_(nReactions_ + nEnergies_, 0),
-    h_(nSolids_, 0),
-    dTdx_(nReactions_ + nEnergies_, 0)
+    h_(nSolids_, 0)
 {
     setGains(G_, scheme.inParticles(), nReactions_ + nEnergies_);
     setGains(G0_, scheme.inFluid(), scheme.inFluid().size());
@@ -98,9 +99,9 @@ Foam::cghs::reactingCell::reactingCell
         const scalarField& gain =
             scheme.inParticles()[r].equation().solidGain();
 
-        forAll(gain, s)
+        if (sum(mag(gain)) > 0)
         {
-            solidGain_[s*nReactions_ + r] = gain[s];
+            changing_.append(r);
         }
         massGain_[r] = scheme.solids().massOf(gain);
         if (scheme.constantDensity())
@@ -113,6 +114,18 @@ Foam::cghs::reactingCell::reactingCell
             asked_.append(askedRange());
         }
     }
+
+    solidGain_.resize(nSolids_*changing_.size());
+    forAll(changing_, c)
+    {
+        const reaction& r = scheme.inParticles()[changing_[c]];
+        for (label s = 0; s < nSolids_; ++s)
+        {
+            solidGain_[s*changing_.size() + c] =
+                r.equation().solidGain()[s];
+        }
+    }
+    lookedX_.resize(changing_.size() + nEnergies_);
 
     if (nEnergies_)
     {
@@ -282,9 +295,9 @@ bool Foam::cghs::reactingCell::rests()
 {
     share(z_.cdata());
 
-    for (const reaction& r : scheme_.inFluid())
+    forAll(scheme_.inFluid(), r)
     {
-        if (rate(r, -1) != 0)
+        if (fluidRate(r) != 0)
         {
             return false;
         }
@@ -294,9 +307,9 @@ bool Foam::cghs::reactingCell::rests()
     forAll(bodies_, i)
     {
         look(i, none.cdata());
-        for (const reaction& r : scheme_.inParticles())
+        for (label r = 0; r < nReactions_; ++r)
         {
-            if (rate(r, i) != 0)
+            if (rateIn(i, r) != 0)
             {
                 return false;
             }
@@ -315,7 +328,7 @@ Foam::scalarField Foam::cghs::reactingCell::speeds(const label r)
     forAll(all, i)
     {
         look(i, none.cdata());
-        all[i] = bodies_[i].W*rate(scheme_.inParticles()[r], i);
+        all[i] = bodies_[i].W*rateIn(i, r);
     }
     return all;
 }
@@ -397,24 +410,43 @@ Foam::scalar Foam::cghs::reactingCell::temperatureOf
 }
 
 
+void Foam::cghs::reactingCell::addGains(const scalar* x, scalarField& n) const
+{
+    const label nChanging = changing_.size();
+    const scalar* gain = solidGain_.cdata();
+    for (label s = 0; s < nSolids_; ++s)
+    {
+        for (label c = 0; c < nChanging; ++c)
+        {
+            n[s] += *gain++*x[changing_[c]];
+        }
+    }
+}
+
+
 void Foam::cghs::reactingCell::look(const label i, const scalar* x) const
 {
-    if (i == looked_ && std::equal(lookedX_.begin(), lookedX_.end(), x))
+    // What the others do does not change it
+    bool known = i == looked_;
+    scalar* looked = lookedX_.data();
+    for (const label c : changing_)
+    {
+        known = known && *looked == x[c];
+        *looked++ = x[c];
+    }
+    if (nEnergies_)
+    {
+        known = known && *looked == x[nReactions_];
+        *looked = x[nReactions_];
+    }
+    if (known)
     {
         return;
     }
     looked_ = i;
-    std::copy(x, x + lookedX_.size(), lookedX_.begin());
 
-    for (label s = 0; s < nSolids_; ++s)
-    {
-        const scalar* gain = solidGain_.cdata() + s*nReactions_;
-        n_[s] = amounts_[i*nSolids_ + s];
-        for (label r = 0; r < nReactions_; ++r)
-        {
-            n_[s] += gain[r]*x[r];
-        }
-    }
+    std::copy_n(&amounts_[i*nSolids_], nSolids_, n_.begin());
+    addGains(x, n_);
 
     if (nEnergies_)
     {
@@ -427,6 +459,11 @@ void Foam::cghs::reactingCell::look(const label i, const scalar* x) const
             leastCapacity(i),
             fluidT_
         );
+    }
+
+    for (label p = inputs_.nOfFluid(); p < values_.size(); ++p)
+    {
+        values_[p] = valueOf(inputs_.list()[p].what, i);
     }
 }
 
@@ -451,7 +488,6 @@ Foam::scalar Foam::cghs::reactingCell::fluidVolume() const
 
 void Foam::cghs::reactingCell::share(const scalar* z)
 {
-    const label nShared = nFluid_ + nEnergies_;
     now_ = z;
     total_ = 0;
     for (label k = 0; k < nFluid_; ++k)
@@ -483,44 +519,83 @@ void Foam::cghs::reactingCell::share(const scalar* z)
     const scalar V = fluidVolume();
     for (label k = 0; k < nFluid_; ++k)
     {
-        const scalar c = z[k]/V;
-        concentration_[k] = c;
+        concentration_[k] = z[k]/V;
+    }
+    for (label p = 0; p < inputs_.nOfFluid(); ++p)
+    {
+        const rateArgument& what = inputs_.list()[p].what;
+        values_[p] =
+            what.what == rateArgument::fluid
+          ? concentration_[what.index]
+          : fluidT_;
+    }
+}
 
-        scalar* dc = &dcdz_[k*nShared];
+
+const Foam::UList<Foam::scalar>& Foam::cghs::reactingCell::views()
+{
+    views_ = 0;
+    for (label p = 0; p < inputs_.nOfFluid(); ++p)
+    {
+        if (inputs_.list()[p].view >= 0)
+        {
+            findView(inputs_.list()[p]);
+        }
+    }
+    if (inputs_.totalView() >= 0)
+    {
+        std::fill_n
+        (
+            &views_[inputs_.totalView()*(nFluid_ + nEnergies_)], nFluid_, 1
+        );
+    }
+    return views_;
+}
+
+
+void Foam::cghs::reactingCell::findView(const rateInputs::input& in)
+{
+    const label nShared = nFluid_ + nEnergies_;
+    scalar* slopes = &views_[in.view*nShared];
+
+    if (in.what.what == rateArgument::fluidTemperature)
+    {
+        std::copy(dTdz_.begin(), dTdz_.end(), slopes);
+        return;
+    }
+
+    // Of a concentration
+    if (p_ > 0)
+    {
+        const scalar c = concentration_[in.what.index];
         for (label j = 0; j < nShared; ++j)
         {
-            dc[j] = p_ > 0 ? -c/fluidT_*dTdz_[j] : 0;
+            slopes[j] = -c/fluidT_*dTdz_[j] - (j < nFluid_ ? c/total_ : 0);
         }
-        for (label j = 0; j < nFluid_; ++j)
-        {
-            dc[j] -= p_ > 0 ? c/total_ : 0;
-        }
-        dc[k] += 1/V;
     }
+    slopes[in.what.index] += 1/fluidVolume();
 }
 
 // * * * * * * * * * * * * * * * * The rates * * * * * * * * * * * * * * * * //
 
-Foam::scalar Foam::cghs::reactingCell::argument
+Foam::scalar Foam::cghs::reactingCell::valueOf
 (
-    const rateArgument& a,
+    const rateArgument& what,
     const label i
 ) const
 {
-    switch (a.what)
+    switch (what.what)
     {
-        case rateArgument::temperature: return i < 0 ? fluidT_ : T_[i];
-        case rateArgument::fluidTemperature: return fluidT_;
+        case rateArgument::temperature: return T_[i];
         case rateArgument::diameter: return diameter(i);
         case rateArgument::mass:
         {
             return scheme_.solids().massOf(n_)/bodies_[i].W;
         }
         case rateArgument::film: return bodies_[i].film;
-        case rateArgument::fluid: return concentration_[a.index];
-        case rateArgument::solid: return n_[a.index]/bodies_[i].W;
+        case rateArgument::solid: return n_[what.index]/bodies_[i].W;
+        default: return 0;
     }
-    return 0;
 }
 
 
@@ -572,15 +647,12 @@ Foam::scalar Foam::cghs::reactingCell::lasting
 Foam::scalar Foam::cghs::reactingCell::rate
 (
     const reaction& r,
+    const rateInputs::places& places,
     const label i
 ) const
 {
-    const UList<rateArgument>& arguments = r.law().arguments();
     scalar x[kineticLaw::maxArguments];
-    forAll(arguments, a)
-    {
-        x[a] = argument(arguments[a], i);
-    }
+    gather(places, x);
 
     scalar ignored;
     scalar result = r.law().rate(x)*lasting(r, ignored);
@@ -595,85 +667,25 @@ Foam::scalar Foam::cghs::reactingCell::rate
 
 void Foam::cghs::reactingCell::addDerivative
 (
-    const rateArgument& a,
+    const label place,
     const scalar slope,
-    const label i,
     scalar* fx,
-    scalar* fz
+    scalar* fq
 ) const
 {
-    const label nShared = nFluid_ + nEnergies_;
-    const label nExtents = nReactions_ + nEnergies_;
-
-    switch (a.what)
+    const rateInputs::input& in = inputs_.list()[place];
+    if (in.view >= 0)
     {
-        case rateArgument::temperature:
+        fq[in.view] += slope;
+    }
+    if (in.row >= 0)
+    {
+        const label nActive = inputs_.active().size();
+        const scalar* slopes = &slopes_[in.row*nActive];
+        for (label j = 0; j < nActive; ++j)
         {
-            if (i < 0)
-            {
-                for (label j = 0; j < nShared; ++j)
-                {
-                    fz[j] += slope*dTdz_[j];
-                }
-                break;
-            }
-            for (label q = 0; q < nExtents; ++q)
-            {
-                fx[q] += slope*dTdx_[q];
-            }
-            break;
+            fx[j] += slope*slopes[j];
         }
-        case rateArgument::fluidTemperature:
-        {
-            for (label j = 0; j < nShared; ++j)
-            {
-                fz[j] += slope*dTdz_[j];
-            }
-            break;
-        }
-        case rateArgument::fluid:
-        {
-            const scalar* dc = &dcdz_[a.index*nShared];
-            for (label j = 0; j < nShared; ++j)
-            {
-                fz[j] += slope*dc[j];
-            }
-            break;
-        }
-        case rateArgument::solid:
-        {
-            for (label q = 0; q < nReactions_; ++q)
-            {
-                fx[q] +=
-                    slope/bodies_[i].W*solidGain_[a.index*nReactions_ + q];
-            }
-            break;
-        }
-        case rateArgument::mass:
-        {
-            for (label q = 0; q < nReactions_; ++q)
-            {
-                fx[q] += slope/bodies_[i].W*massGain_[q];
-            }
-            break;
-        }
-        case rateArgument::diameter:
-        {
-            const scalar V =
-                scheme_.constantDensity()
-              ? scheme_.solids().volumeOf(n_)
-              : scalar(0);
-            if (V > VSMALL)
-            {
-                const scalar each = slope*diameter(i)/(3*V);
-                for (label q = 0; q < nReactions_; ++q)
-                {
-                    fx[q] += each*volumeGain_[q];
-                }
-            }
-            break;
-        }
-        case rateArgument::film: break;
     }
 }
 
@@ -681,19 +693,16 @@ void Foam::cghs::reactingCell::addDerivative
 Foam::scalar Foam::cghs::reactingCell::rate
 (
     const reaction& r,
+    const rateInputs::places& places,
     const label i,
     const scalar times,
     scalar* fx,
-    scalar* fz
+    scalar* fq
 ) const
 {
-    const UList<rateArgument>& arguments = r.law().arguments();
     scalar x[kineticLaw::maxArguments];
     scalar dx[kineticLaw::maxArguments];
-    forAll(arguments, a)
-    {
-        x[a] = argument(arguments[a], i);
-    }
+    gather(places, x);
     const scalar free = r.law().rate(x, dx);
 
     const UList<rateArgument>& limits = r.limits();
@@ -716,24 +725,21 @@ Foam::scalar Foam::cghs::reactingCell::rate
             slope *= m == l ? 1 : limit(r, limits[m], i, ignored);
         }
 
-        // That of a solid is by all particles, an argument by one
+        // That of a solid is by all particles, an input by one
         if (limits[l].what == rateArgument::solid)
         {
             slope *= bodies_[i].W;
         }
-        addDerivative(limits[l], slope, i, fx, fz);
+        addDerivative(places.limits[l], slope, fx, fq);
     }
 
-    forAll(arguments, a)
+    forAll(places.arguments, a)
     {
-        addDerivative(arguments[a], times*all*dx[a], i, fx, fz);
+        addDerivative(places.arguments[a], times*all*dx[a], fx, fq);
     }
     if (byTotal != 0)
     {
-        for (label k = 0; k < nFluid_; ++k)
-        {
-            fz[k] += byTotal;
-        }
+        fq[inputs_.totalView()] += byTotal;
     }
     return times*free*all;
 }
@@ -762,9 +768,11 @@ Foam::scalar Foam::cghs::reactingCell::enthalpyTaken
     if (share > 0)
     {
         const substances& solids = scheme_.solids();
+        const scalarField& gains =
+            scheme_.inParticles()[r].equation().solidGain();
         forAll(solids, s)
         {
-            const scalar gain = share*solidGain_[s*nReactions_ + r];
+            const scalar gain = share*gains[s];
             q += gain*solids[s].h(T);
             byT += gain*solids[s].Cp(T);
         }
@@ -785,8 +793,7 @@ void Foam::cghs::reactingCell::rates
     scalar power = nEnergies_*bodies_[i].conductance*(fluidT_ - T_[i]);
     for (label r = 0; r < nReactions_; ++r)
     {
-        const reaction& reaction = scheme_.inParticles()[r];
-        f[r] = bodies_[i].W*rate(reaction, i);
+        f[r] = bodies_[i].W*rateIn(i, r);
         if (nEnergies_)
         {
             scalar byT, byFluidT;
@@ -800,14 +807,16 @@ void Foam::cghs::reactingCell::rates
 }
 
 
-void Foam::cghs::reactingCell::findSlopes(const label i)
+void Foam::cghs::reactingCell::findTemperatureSlopes
+(
+    const label i,
+    scalar* slopes
+)
 {
-    if (!nEnergies_)
-    {
-        return;
-    }
-
     const substances& solids = scheme_.solids();
+    const UList<label>& active = inputs_.active();
+    const label nChanging = changing_.size();
+
     scalar C = 0;
     forAll(solids, s)
     {
@@ -816,19 +825,80 @@ void Foam::cghs::reactingCell::findSlopes(const label i)
     }
     if (!(C > leastCapacity(i)))
     {
-        dTdx_ = 0;
+        std::fill_n(slopes, active.size(), 0);
         return;
     }
-    for (label q = 0; q < nReactions_; ++q)
+
+    // What changes a particle changes its T: these are the active ones
+    forAll(changing_, c)
     {
         scalar taken = 0;
         forAll(h_, s)
         {
-            taken += solidGain_[s*nReactions_ + q]*h_[s];
+            taken += solidGain_[s*nChanging + c]*h_[s];
         }
-        dTdx_[q] = -taken/C;
+        slopes[c] = -taken/C;
     }
-    dTdx_[nReactions_] = 1/C;
+    slopes[nChanging] = 1/C;
+}
+
+
+void Foam::cghs::reactingCell::findSlopes(const label i)
+{
+    const UList<label>& active = inputs_.active();
+    const label nActive = active.size();
+
+    for (label p = inputs_.nOfFluid(); p < values_.size(); ++p)
+    {
+        const rateInputs::input& in = inputs_.list()[p];
+        if (in.row < 0)
+        {
+            continue;
+        }
+        scalar* slopes = &slopes_[in.row*nActive];
+
+        if (in.row == inputs_.temperatureRow())
+        {
+            findTemperatureSlopes(i, slopes);
+            continue;
+        }
+
+        const scalar V =
+            in.what.what == rateArgument::diameter
+          ? scheme_.solids().volumeOf(n_)
+          : scalar(0);
+
+        for (label j = 0; j + nEnergies_ < nActive; ++j)
+        {
+            const reaction& r = scheme_.inParticles()[active[j]];
+            slopes[j] = 0;
+            switch (in.what.what)
+            {
+                case rateArgument::solid:
+                {
+                    slopes[j] =
+                        r.equation().solidGain()[in.what.index]
+                       /bodies_[i].W;
+                    break;
+                }
+                case rateArgument::mass:
+                {
+                    slopes[j] = massGain_[active[j]]/bodies_[i].W;
+                    break;
+                }
+                case rateArgument::diameter:
+                {
+                    if (V > VSMALL)
+                    {
+                        slopes[j] =
+                            values_[p]*volumeGain_[active[j]]/(3*V);
+                    }
+                    break;
+                }
+                default: break;
+            }
+        }
+    }
 }
 
 
@@ -838,13 +908,13 @@ void Foam::cghs::reactingCell::derivatives
     const scalar* x,
     scalar* f,
     scalar* fx,
-    scalar* fz
+    scalar* fq
 )
 {
-    const label n = nReactions_ + nEnergies_;
-    const label s = nFluid_ + nEnergies_;
-    std::fill(fx, fx + n*n, 0);
-    std::fill(fz, fz + n*s, 0);
+    const label a = inputs_.active().size();
+    const label m = inputs_.nSeen();
+    std::fill_n(fx, nExtents()*a, 0);
+    std::fill_n(fq, nExtents()*m, 0);
 
     look(i, x);
     findSlopes(i);
@@ -854,52 +924,62 @@ void Foam::cghs::reactingCell::derivatives
         f[r] = rate
         (
             scheme_.inParticles()[r],
+            inputs_.inParticles(r),
             i,
             bodies_[i].W,
-            fx + r*n,
-            fz + r*s
+            fx + r*a,
+            fq + r*m
         );
     }
-
     if (nEnergies_)
     {
-        scalar* ex = fx + nReactions_*n;
-        scalar* ez = fz + nReactions_*s;
-        const scalar k = bodies_[i].conductance;
+        addEnergy(i, f, fx, fq);
+    }
+}
 
-        f[nReactions_] = k*(fluidT_ - T_[i]);
-        scalar byT = -k;
-        scalar byFluidT = k;
 
-        for (label r = 0; r < nReactions_; ++r)
+void Foam::cghs::reactingCell::addEnergy
+(
+    const label i,
+    scalar* f,
+    scalar* fx,
+    scalar* fq
+) const
+{
+    const label a = inputs_.active().size();
+    const label m = inputs_.nSeen();
+    const scalar k = bodies_[i].conductance;
+    scalar* ex = fx + nReactions_*a;
+    scalar* eq = fq + nReactions_*m;
+
+    f[nReactions_] = k*(fluidT_ - T_[i]);
+    scalar byT = -k;
+    scalar byFluidT = k;
+
+    for (label r = 0; r < nReactions_; ++r)
+    {
+        scalar qByT, qByFluidT;
+        const scalar q = enthalpyTaken(r, T_[i], qByT, qByFluidT);
+        f[nReactions_] += f[r]*q;
+        byT += f[r]*qByT;
+        byFluidT += f[r]*qByFluidT;
+
+        for (label c = 0; c < a; ++c)
         {
-            scalar qByT, qByFluidT;
-            const scalar q = enthalpyTaken
-            (
-                r, T_[i], qByT, qByFluidT
-            );
-            f[nReactions_] += f[r]*q;
-            byT += f[r]*qByT;
-            byFluidT += f[r]*qByFluidT;
-
-            for (label c = 0; c < n; ++c)
-            {
-                ex[c] += fx[r*n + c]*q;
-            }
-            for (label c = 0; c < s; ++c)
-            {
-                ez[c] += fz[r*s + c]*q;
-            }
+            ex[c] += fx[r*a + c]*q;
         }
-        for (label c = 0; c < n; ++c)
+        for (label c = 0; c < m; ++c)
         {
-            ex[c] += byT*dTdx_[c];
-        }
-        for (label c = 0; c < s; ++c)
-        {
-            ez[c] += byFluidT*dTdz_[c];
+            eq[c] += fq[r*m + c]*q;
         }
     }
+
+    const scalar* slopes = &slopes_[inputs_.temperatureRow()*a];
+    for (label c = 0; c < a; ++c)
+    {
+        ex[c] += byT*slopes[c];
+    }
+    eq[inputs_.temperatureView()] += byFluidT;
 }
 
 
@@ -908,32 +988,32 @@ void Foam::cghs::reactingCell::ownRates(scalar* f)
     const scalar V = fluidVolume();
     forAll(scheme_.inFluid(), r)
     {
-        f[r] = V*rate(scheme_.inFluid()[r], -1);
+        f[r] = V*fluidRate(r);
     }
 }
 
 
-void Foam::cghs::reactingCell::ownDerivatives(scalar* f, scalar* fz)
+void Foam::cghs::reactingCell::ownDerivatives(scalar* f, scalar* fq)
 {
-    const label s = nFluid_ + nEnergies_;
+    const label v = nViews();
     const scalar V = fluidVolume();
-    std::fill(fz, fz + scheme_.inFluid().size()*s, 0);
+    std::fill_n(fq, scheme_.inFluid().size()*v, 0);
 
     forAll(scheme_.inFluid(), r)
     {
-        scalar* row = fz + r*s;
-        f[r] = rate(scheme_.inFluid()[r], -1, V, nullptr, row);
+        scalar* row = fq + r*v;
+        f[r] = rate
+        (
+            scheme_.inFluid()[r], inputs_.inFluid(r), -1, V, nullptr, row
+        );
 
         if (p_ > 0)
         {
             // A gas takes the volume that it needs
-            for (label j = 0; j < s; ++j)
+            row[inputs_.totalView()] += f[r]/total_;
+            if (nEnergies_)
             {
-                row[j] += f[r]*dTdz_[j]/fluidT_;
-            }
-            for (label j = 0; j < nFluid_; ++j)
-            {
-                row[j] += f[r]/total_;
+                row[inputs_.temperatureView()] += f[r]/fluidT_;
             }
         }
     }
@@ -952,16 +1032,15 @@ Foam::scalar Foam::cghs::reactingCell::error
     const scalar least = tolerances_.absolute*bodies_[i].amount + VSMALL;
 
     look(i, x);
+    dn_ = 0;
+    addGains(dx, dn_);
+
     scalar worst = 0;
     scalar dH = nEnergies_ ? dx[nReactions_] : 0;
     scalar C = tolerances_.absolute*bodies_[i].capacity + VSMALL;
     forAll(solids, s)
     {
-        scalar dn = 0;
-        for (label r = 0; r < nReactions_; ++r)
-        {
-            dn += solidGain_[s*nReactions_ + r]*dx[r];
-        }
+        const scalar dn = dn_[s];
         worst = max
         (
             worst,

@@ -31,6 +31,8 @@ Foam::cghs::stirredCell::stirredCell
     outflow_(inflow_ + 1),
     wall_(outflow_ + nShared()),
     gives_(nShared()*(wall_ + nEnergies_), 0),
+    nBaseViews_(reactingCell::nViews()),
+    allViews_((nBaseViews_ + nShared())*nShared(), 0),
     flows_(false),
     V_(0),
     volumeRate_(0),
@@ -45,6 +47,7 @@ Foam::cghs::stirredCell::stirredCell
             gives_[k*n + r] = G0_[k*nReactions_ + r];
         }
         gives_[k*n + outflow_ + k] = -1;
+        allViews_[(nBaseViews_ + k)*nShared() + k] = 1;
     }
     if (nEnergies_)
     {
@@ -124,18 +127,33 @@ void Foam::cghs::stirredCell::ownRates(scalar* f)
 }
 
 
-void Foam::cghs::stirredCell::ownDerivatives(scalar* f, scalar* fz)
+const Foam::UList<Foam::scalar>& Foam::cghs::stirredCell::views()
 {
-    reactingCell::ownDerivatives(f, fz);
+    const UList<scalar>& base = reactingCell::views();
+    std::copy(base.begin(), base.end(), allViews_.begin());
+    return allViews_;
+}
+
+
+void Foam::cghs::stirredCell::ownDerivatives(scalar* f, scalar* fq)
+{
+    reactingCell::ownDerivatives(f, fq);
     flowRates(f);
 
     const label n = nShared();
-    std::fill(fz + inflow_*n, fz + nOwn()*n, 0);
+    const label v = nViews();
+    std::fill(fq + inflow_*v, fq + nOwn()*v, 0);
+
+    // By z, row by row
+    const auto byShared = [&](const label process)
+    {
+        return fq + process*v + nBaseViews_;
+    };
 
     const scalar q = outRate();
     for (label k = 0; k < n; ++k)
     {
-        fz[(outflow_ + k)*n + k] = q;
+        byShared(outflow_ + k)[k] = q;
     }
 
     if (isGas() && q > 0)
@@ -149,7 +167,7 @@ void Foam::cghs::stirredCell::ownDerivatives(scalar* f, scalar* fz)
 
             for (label k = 0; k < n; ++k)
             {
-                fz[(outflow_ + k)*n + j] += now_[k]*byVolume*dV;
+                byShared(outflow_ + k)[j] += now_[k]*byVolume*dV;
             }
         }
     }
@@ -157,7 +175,7 @@ void Foam::cghs::stirredCell::ownDerivatives(scalar* f, scalar* fz)
     {
         for (label j = 0; j < n; ++j)
         {
-            fz[wall_*n + j] = -wallConductance_*dTdz_[j];
+            byShared(wall_)[j] = -wallConductance_*dTdz_[j];
         }
     }
 }

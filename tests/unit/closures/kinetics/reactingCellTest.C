@@ -8,7 +8,8 @@ Description
 
 \*---------------------------------------------------------------------------*/
 
-#include "reactingCell.H"
+#include "stirredCell.H"
+#include "denseArrow.H"
 #include "regeneratorScheme.H"
 #include "complaint.H"
 #include "sampler.H"
@@ -137,30 +138,25 @@ struct contents
     }
 };
 
-}
 
-
-TEST_CASE("Derivatives of a reacting cell", "[reaction]")
+//- Derivatives of all bodies and of the fluid, by all extents and all of z,
+//  against rates that are a little apart: amounts [mol], enthalpies [J]
+void seeDerivatives
+(
+    claim& right,
+    reactingCell& cell,
+    const scalar byAmount,
+    const scalar byEnthalpy
+)
 {
-    claim right("reactingCell.derivatives", 2e-5);
-
-    const autoPtr<reactionScheme> made(burning());
-    const reactionScheme& scheme = made();
-    reactingCell cell(scheme, usual);
-    cell.start(flueGas(), 890, 1.4*bar);
-    addCatalyst(cell, 3, 0.3);
-
+    const scalarField z(cell.fluidState());
+    const denseArrow dense(cell, z);
     const label n = cell.nExtents();
     const label s = cell.nShared();
     const label o = cell.nOwn();
-    const scalarField z(cell.fluidState());
     scalarField x(n, 0);
     scalarField f(n), fx(n*n), fz(n*s), g(n), gBack(n);
     scalarField f0(o), f0z(o*s), g0(o), g0Back(o);
-
-    // By which each is changed: amounts, and enthalpies in J
-    const scalar byAmount = 1e-6*sum(flueGas());
-    const scalar byEnthalpy = 1e-4;
 
     // A column of derivatives against rates that are 2 d apart
     const auto compare = [&]
@@ -185,14 +181,20 @@ TEST_CASE("Derivatives of a reacting cell", "[reaction]")
         }
     };
 
-    for (label i = 0; i < 3; ++i)
+    // The enthalpy is the last, where there is one
+    const auto by = [&](const label c, const label size)
+    {
+        return byEnthalpy > 0 && c == size - 1 ? byEnthalpy : byAmount;
+    };
+
+    for (label i = 0; i < cell.nBodies(); ++i)
     {
         cell.share(z.cdata());
-        cell.derivatives(i, x.cdata(), f.data(), fx.data(), fz.data());
+        dense.bodyDerivatives(i, x.cdata(), f, fx, fz);
 
         for (label c = 0; c < n; ++c)
         {
-            const scalar d = c == n - 1 ? byEnthalpy : byAmount;
+            const scalar d = by(c, n);
             scalarField at(x);
             at[c] = d;
             cell.rates(i, at.cdata(), g.data());
@@ -202,7 +204,7 @@ TEST_CASE("Derivatives of a reacting cell", "[reaction]")
         }
         for (label c = 0; c < s; ++c)
         {
-            const scalar d = c == s - 1 ? byEnthalpy : byAmount;
+            const scalar d = by(c, s);
             scalarField at(z);
             at[c] += d;
             cell.share(at.cdata());
@@ -213,11 +215,166 @@ TEST_CASE("Derivatives of a reacting cell", "[reaction]")
             cell.rates(i, x.cdata(), gBack.data());
             cell.ownRates(g0Back.data());
             cell.share(z.cdata());
-            cell.ownDerivatives(f0.data(), f0z.data());
+            dense.ownDerivatives(f0, f0z);
 
             compare(f, g, gBack, d, fz, s, c);
             compare(f0, g0, g0Back, d, f0z, s, c);
         }
+    }
+}
+
+
+//- A catalyst that grows as it cokes: of three reactions in it two change it,
+//  and one of these asks for a power of a species that vanishes
+autoPtr<reactionScheme> coking(const bool energetic)
+{
+    return autoPtr<reactionScheme>
+    (
+        new reactionScheme
+        (
+            dictionaryOf
+            (
+                "size constantDensity;"
+                "solids"
+                "{"
+                "    coke"
+                "    {"
+                "        elements { C 6; H 12; }"
+                "        equationOfState { rho 1000; }"
+                "        thermodynamics { Cp 1600; Hf 1e5; }"
+                "    }"
+                "    catalyst"
+                "    {"
+                "        specie { molWeight 60; }"
+                "        equationOfState { rho 1500; }"
+                "        thermodynamics { Cp 1000; Hf 0; }"
+                "    }"
+                "}"
+                "law"
+                "{"
+                "    rate deactivating; reactant MeOH; catalyst catalyst;"
+                "    coke coke; cokeOf particle; driving \"mol/m3\"; A 0.1;"
+                "}"
+                "reactions"
+                "{"
+                "    toC2H4"
+                "    {"
+                "        equation \"MeOH = 0.5 C2H4 + H2O\";"
+                "        $:law; alpha 0.1;"
+                "    }"
+                "    toCoke"
+                "    {"
+                "        equation \"6 MeOH = coke + 6 H2O\";"
+                "        $:law; alpha 0.4;"
+                "    }"
+                "    joinC2H4"
+                "    {"
+                "        equation \"3 C2H4 = coke\";"
+                "        rate massAction; of particleSurface;"
+                "        driving \"mol/m3\"; orders { H2O 0.5; } A 1e-3;"
+                "    }"
+                "}"
+            ),
+            dictionaryOf
+            (
+                "thermoType { thermo hConst; }"
+                "species (MeOH C2H4 H2O);"
+                "MeOH"
+                "{"
+                "    elements { C 1; H 4; O 1; }"
+                "    thermodynamics { Cp 2000; Hf -6e6; }"
+                "}"
+                "C2H4"
+                "{"
+                "    elements { C 2; H 4; }"
+                "    thermodynamics { Cp 2500; Hf 2e6; }"
+                "}"
+                "H2O"
+                "{"
+                "    elements { H 2; O 1; }"
+                "    thermodynamics { Cp 2200; Hf -1.3e7; }"
+                "}"
+            ),
+            energetic
+        )
+    );
+}
+
+
+//- A parcel of it, with 6 % of coke
+void addCoking(reactingCell& cell)
+{
+    reactingCell::body b;
+    b.W = 1e4;
+    b.d = 97e-6;
+    b.T = 700;
+    b.conductance = 0.1;
+    b.film = 1;
+    const scalar m = b.W*1500*3.14159/6*pow3(b.d);
+    cell.add(b, scalarField(List<scalar>({0.06*m/0.084, 0.94*m/0.06})));
+}
+
+}
+
+
+TEST_CASE("Derivatives of a reacting cell", "[reaction]")
+{
+    claim right("reactingCell.derivatives", 2e-5);
+
+    const scalar byAmount = 1e-6*sum(flueGas());
+    for (const bool energetic : {true, false})
+    {
+        const autoPtr<reactionScheme> made(burning(1, energetic));
+        reactingCell cell(made(), usual);
+        cell.start(flueGas(), 890, 1.4*bar);
+        addCatalyst(cell, 3, 0.3);
+        seeDerivatives(right, cell, byAmount, energetic ? 1e-4 : 0);
+    }
+
+    right.settle();
+}
+
+
+TEST_CASE("Derivatives by what does not change a parcel", "[reaction]")
+{
+    claim right("reactingCell.inactiveDerivatives", 2e-5);
+    claim few("reactingCell.active", 0);
+
+    const scalarField gas(List<scalar>({3e-3, 3e-3, 4e-3}));
+    for (const bool energetic : {true, false})
+    {
+        const autoPtr<reactionScheme> made(coking(energetic));
+        reactingCell cell(made(), usual);
+        cell.start(gas, 720, bar);
+        addCoking(cell);
+        seeDerivatives(right, cell, 1e-8, energetic ? 1e-3 : 0);
+
+        few.count(cell.nExtents() == (energetic ? 4 : 3));
+        few.count(cell.active().size() == (energetic ? 3 : 2));
+        few.count(cell.active()[0] == 1);
+    }
+
+    right.settle();
+    few.settle();
+}
+
+
+TEST_CASE("Derivatives of a vessel that is flown through", "[reaction]")
+{
+    claim right("stirredCell.derivatives", 2e-5);
+
+    const scalar byAmount = 1e-6*sum(flueGas());
+    for (const bool energetic : {true, false})
+    {
+        const autoPtr<reactionScheme> made(burning(1, energetic));
+        stirredCell vessel(made(), usual);
+
+        // It has a little less room than its gas takes
+        vessel.start(flueGas(), 890, 1.4*bar);
+        addCatalyst(vessel, 2, 0.3);
+        vessel.flow(0.1*flueGas(), 800, 0.9e-3, 1e-4);
+        vessel.walls(energetic ? 0.2 : 0, 600);
+        seeDerivatives(right, vessel, byAmount, energetic ? 1e-4 : 0);
     }
 
     right.settle();
