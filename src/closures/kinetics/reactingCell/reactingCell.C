@@ -414,12 +414,15 @@ void Foam::cghs::reactingCell::addGains(const scalar* x, scalarField& n) const
 {
     const label nChanging = changing_.size();
     const scalar* gain = solidGain_.cdata();
-    for (label s = 0; s < nSolids_; ++s)
+    const label* changing = changing_.cdata();
+    for (scalar& each : n)
     {
+        scalar sum = 0;
         for (label c = 0; c < nChanging; ++c)
         {
-            n[s] += *gain++*x[changing_[c]];
+            sum += *gain++*x[changing[c]];
         }
+        each += sum;
     }
 }
 
