@@ -846,10 +846,34 @@ void Foam::cghs::reactingCell::findTemperatureSlopes
 }
 
 
+Foam::scalar Foam::cghs::reactingCell::slope
+(
+    const rateArgument& what,
+    const label r,
+    const label i
+) const
+{
+    switch (what.what)
+    {
+        case rateArgument::solid:
+        {
+            const reaction& one = scheme_.inParticles()[r];
+            return one.equation().solidGain()[what.index]/bodies_[i].W;
+        }
+        case rateArgument::mass: return massGain_[r]/bodies_[i].W;
+        case rateArgument::diameter:
+        {
+            const scalar V = scheme_.solids().volumeOf(n_);
+            return V > VSMALL ? diameter(i)*volumeGain_[r]/(3*V) : 0;
+        }
+        default: return 0;
+    }
+}
+
+
 void Foam::cghs::reactingCell::findSlopes(const label i)
 {
     const UList<label>& active = inputs_.active();
-    const label nActive = active.size();
 
     for (label p = inputs_.nOfFluid(); p < values_.size(); ++p)
     {
@@ -858,48 +882,16 @@ void Foam::cghs::reactingCell::findSlopes(const label i)
         {
             continue;
         }
-        scalar* slopes = &slopes_[in.row*nActive];
 
+        scalar* slopes = &slopes_[in.row*active.size()];
         if (in.row == inputs_.temperatureRow())
         {
             findTemperatureSlopes(i, slopes);
             continue;
         }
-
-        const scalar V =
-            in.what.what == rateArgument::diameter
-          ? scheme_.solids().volumeOf(n_)
-          : scalar(0);
-
-        for (label j = 0; j + nEnergies_ < nActive; ++j)
+        for (label j = 0; j + nEnergies_ < active.size(); ++j)
         {
-            const reaction& r = scheme_.inParticles()[active[j]];
-            slopes[j] = 0;
-            switch (in.what.what)
-            {
-                case rateArgument::solid:
-                {
-                    slopes[j] =
-                        r.equation().solidGain()[in.what.index]
-                       /bodies_[i].W;
-                    break;
-                }
-                case rateArgument::mass:
-                {
-                    slopes[j] = massGain_[active[j]]/bodies_[i].W;
-                    break;
-                }
-                case rateArgument::diameter:
-                {
-                    if (V > VSMALL)
-                    {
-                        slopes[j] =
-                            values_[p]*volumeGain_[active[j]]/(3*V);
-                    }
-                    break;
-                }
-                default: break;
-            }
+            slopes[j] = slope(in.what, active[j], i);
         }
     }
 }
