@@ -191,8 +191,11 @@ bool Foam::cghs::rateInputs::changes
             // By its heat capacity and what it holds of heat
             return scheme_.energetic() && sum(mag(gain)) > 0;
         }
-        default: return false;
+        case rateArgument::fluid:
+        case rateArgument::fluidTemperature:
+        case rateArgument::film: break;
     }
+    return false;
 }
 
 

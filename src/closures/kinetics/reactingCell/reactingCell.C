@@ -597,8 +597,10 @@ Foam::scalar Foam::cghs::reactingCell::valueOf
         }
         case rateArgument::film: return bodies_[i].film;
         case rateArgument::solid: return n_[what.index]/bodies_[i].W;
-        default: return 0;
+        case rateArgument::fluid:
+        case rateArgument::fluidTemperature: break;
     }
+    return 0;
 }
 
 
@@ -866,8 +868,12 @@ Foam::scalar Foam::cghs::reactingCell::slope
             const scalar V = scheme_.solids().volumeOf(n_);
             return V > VSMALL ? diameter(i)*volumeGain_[r]/(3*V) : 0;
         }
-        default: return 0;
+        case rateArgument::temperature:
+        case rateArgument::fluid:
+        case rateArgument::fluidTemperature:
+        case rateArgument::film: break;
     }
+    return 0;
 }
 
 

@@ -6,6 +6,37 @@
 #include "reaction.H"
 #include "checkedEntry.H"
 #include "knownEntries.H"
+#include "HashSet.H"
+
+namespace Foam
+{
+namespace cghs
+{
+
+//- What the rate depends on that only particles have
+static wordHashSet ofParticles(const kineticLaw& law)
+{
+    wordHashSet found;
+    for (const rateArgument& a : law.arguments())
+    {
+        switch (a.what)
+        {
+            case rateArgument::diameter: found.insert("diameter"); break;
+            case rateArgument::mass: found.insert("mass"); break;
+            case rateArgument::film: found.insert("film"); break;
+            case rateArgument::solid: found.insert("solids"); break;
+
+            // In the fluid there is one temperature
+            case rateArgument::temperature:
+            case rateArgument::fluidTemperature:
+            case rateArgument::fluid: break;
+        }
+    }
+    return found;
+}
+
+} // End namespace cghs
+} // End namespace Foam
 
 
 Foam::cghs::reaction::reaction
@@ -32,6 +63,18 @@ Foam::cghs::reaction::reaction
             << "Reaction " << name << " happens in the fluid, by its entry of,"
             << " but its equation has solids" << nl
             << "Count its rate by particles, or leave the solids out" << nl
+            << exit(FatalIOError);
+    }
+    const wordHashSet particles(ofParticles(law_()));
+
+    if (inFluid() && particles.size())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Reaction " << name << " happens in the fluid, by its entry of,"
+            << " but its rate depends on " << flatOutput(particles.sortedToc())
+            << " of particles" << nl
+            << "Count its rate by particles, or let it depend on species and T"
+            << nl
             << exit(FatalIOError);
     }
 

@@ -762,6 +762,12 @@ TEST_CASE("Reactions that cannot be", "[reaction]")
     );
     settleComplaint
     (
+        "reactions.particlesInFluid",
+        {"burnCO happens in the fluid", "(mass solids) of particles"},
+        change("burnCO", "orders { CO 1; O2 0.5; C 1; }")
+    );
+    settleComplaint
+    (
         "reactions.basis",
         {"parcelMass", "particleMass", "fluidVolume"},
         change("burnC", "of parcelMass;")
