@@ -95,6 +95,42 @@ static void meetNeighbours(volScalarField& field)
     }
 }
 
+//- Take mass fractions as a run has written them. The mixture divides them by
+//  their sum when it reads them: a restart would not have the last digits
+static void takeWritten(PtrList<volScalarField>& Y)
+{
+    const fvMesh& mesh = Y[0].mesh();
+    PtrList<volScalarField> written(Y.size());
+    scalarField sum(mesh.nCells(), Zero);
+
+    forAll(Y, k)
+    {
+        const IOobject io
+        (
+            Y[k].name(),
+            mesh.time().timeName(),
+            mesh,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        );
+        if (!IOobject(io).typeHeaderOk<volScalarField>(true))
+        {
+            return;
+        }
+        written.set(k, new volScalarField(io, mesh));
+        sum += written[k].primitiveField();
+    }
+
+    if (gMax(mag(sum - 1)()) < 1e-12)
+    {
+        forAll(Y, k)
+        {
+            Y[k] == written[k];
+        }
+    }
+}
+
 } // End namespace cghs
 } // End namespace Foam
 
@@ -198,6 +234,7 @@ Foam::basicSpecieMixture* Foam::cghs::gas::startMixture()
     if (transports("species"))
     {
         mixture = &refCast<psiReactionThermo>(thermo_()).composition();
+        takeWritten(mixture->Y());
 
         for (volScalarField& Y : mixture->Y())
         {
