@@ -345,10 +345,35 @@ isLate()
 }
 
 
+# Call a function with one value after the other, each with as many ranks as are
+# asked for, until it is time to pause: inTurn FUNCTION VALUE...
+inTurn()
+{
+    local run="$1" cores="$ranks" value
+    shift
+    for value
+    do
+        if isLate
+        then
+            paused=yes
+            continue
+        fi
+        ranks="$cores"
+        "$run" "$value"
+    done
+}
+
+
+sayIfPaused()
+{
+    [ -z "$paused" ] || echo "paused: Allrun with the same options continues"
+}
+
+
 # The run of the method, in the folder of its name
 simulate()
 {
-    local from="$PWD"
+    local from="$PWD" method="$1"
     if [ ! -e "$method/constant/method" ]
     then
         freshCase "$method"
@@ -366,7 +391,7 @@ simulate()
 # folder of that name
 runMethods()
 {
-    local cores="$ranks" method folder="$here"
+    local folder="$here"
     if [ "$choice" = quick ]
     then
         folder="$here/quick"
@@ -374,17 +399,8 @@ runMethods()
         cd "$folder" || exit
     fi
 
-    for method in "${methods[@]}"
-    do
-        if isLate
-        then
-            paused=yes
-            continue
-        fi
-        ranks="$cores"
-        simulate
-    done
+    inTurn simulate "${methods[@]}"
 
     conclude "$folder" "$folder"
-    [ -z "$paused" ] || echo "paused: Allrun with the same options continues"
+    sayIfPaused
 }

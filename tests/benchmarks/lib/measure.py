@@ -12,7 +12,7 @@ import re
 import statistics
 from pathlib import Path
 
-NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
+_NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 
 median = statistics.median
 
@@ -43,7 +43,7 @@ class Log:
 
     @staticmethod
     def _all(pattern, text):
-        found = re.findall(pattern.format(NUMBER), text, re.M)
+        found = re.findall(pattern.format(_NUMBER), text, re.M)
         return [float(x) for x in found]
 
     # The first step pays for the start, so all is counted from its end

@@ -149,9 +149,3 @@ runReactor()
     conclude "$PWD" "$PWD"
     sayIfPaused
 }
-
-
-sayIfPaused()
-{
-    [ -z "$paused" ] || echo "paused: Allrun with the same options continues"
-}
