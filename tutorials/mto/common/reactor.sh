@@ -9,7 +9,7 @@
 #
 #         readOptions quick factor= hours= -- "$@"
 #         checkFactor DEFAULT
-#         runOptions() { ...; }       # may use slowClock
+#         runOptions() { ...; }       # may use slowClock, clockOptions
 #         folderOf() { ...; }         # prints the run's folder, '.' or a name
 #
 #         buildProject
@@ -35,15 +35,22 @@ checkFactor()
 # with 1 the flow's first 360 s
 slowClock()
 {
-    awk -v F="$factor" 'BEGIN {
+    # shellcheck disable=SC2046 # three numbers
+    clockOptions $(awk -v F="$factor" 'BEGIN {
         step = F > 1 ? 1800/F : 5
-        end = F > 1 ? 17*step : 360
-        printf "slowFactor      %d;\n", F
-        printf "slowFrom        %.8g;\n", step
-        printf "averageFrom     %.8g;\n", step
-        printf "endTime         %.8g;\n", end
-        printf "writeInterval   %.8g;\n", step
-    }'
+        printf("%.8g %.8g %.8g", step, F > 1 ? 17*step : 360, step) }')
+}
+
+
+# The slow clock and the means from a time on, to the end, and how often it is
+# written: clockOptions FROM END INTERVAL
+clockOptions()
+{
+    echo "slowFactor      $factor;"
+    echo "slowFrom        $1;"
+    echo "averageFrom     $1;"
+    echo "endTime         $2;"
+    echo "writeInterval   $3;"
     [ "$factor" -eq 1 ] || throughMouth
 }
 
