@@ -493,8 +493,7 @@ void Foam::cghs::fluidModel::measureContinuity()
 bool Foam::cghs::fluidModel::pass
 (
     const momentumSystem& system,
-    const cghsCloud& cloud,
-    const bool first
+    const cghsCloud& cloud
 )
 {
     while (piso_.correct())
@@ -502,7 +501,7 @@ bool Foam::cghs::fluidModel::pass
         correctPressure(system);
     }
 
-    if (!velocitySolved(first))
+    if (!velocitySolved())
     {
         return false;
     }
@@ -515,10 +514,10 @@ bool Foam::cghs::fluidModel::pass
     (
         momentumDensity()*wholeFlux(),
         cloud,
-        [&]() { return !first || compositionFits(); }
+        [&]() { return nPasses_ > 1 || compositionFits(); }
     );
 
-    return done && fits(first);
+    return done && fits();
 }
 
 
@@ -563,7 +562,7 @@ void Foam::cghs::fluidModel::makeStep
 
     nPasses_ = 1;
 
-    while (!pass(system, cloud, nPasses_ == 1) && nPasses_ < most)
+    while (!pass(system, cloud) && nPasses_ < most)
     {
         if (nPasses_ == 1)
         {

@@ -95,11 +95,17 @@ static void meetNeighbours(volScalarField& field)
     }
 }
 
-//- Take mass fractions as a run has written them. The mixture divides them by
-//  their sum when it reads them: a restart would not have the last digits
+//- After a restart, take mass fractions as they were written. The mixture
+//  divides them by their sum when it reads them: the last digits would be others
 static void takeWritten(PtrList<volScalarField>& Y)
 {
     const fvMesh& mesh = Y[0].mesh();
+
+    if (mesh.time().startTimeIndex() == 0)
+    {
+        return;
+    }
+
     PtrList<volScalarField> written(Y.size());
     scalarField sum(mesh.nCells(), Zero);
 
@@ -359,13 +365,13 @@ Foam::cghs::gas::momentumSource(fv::optionList& options)
 }
 
 
-bool Foam::cghs::gas::velocitySolved(const bool first)
+bool Foam::cghs::gas::velocitySolved()
 {
     const scalar lowest = gMin(p_.primitiveField());
 
     if (!(lowest > 0))
     {
-        if (first && psiChanges())
+        if (nPasses() == 1 && psiChanges())
         {
             return false;
         }
@@ -465,8 +471,7 @@ void Foam::cghs::gas::setFaces()
 
     if (carriedRhof_.valid())
     {
-        const surfaceScalarField* byMass =
-            slope_.valid() ? speciesWeights() : nullptr;
+        const surfaceScalarField* byMass = speciesWeights();
 
         carriedRhof_() = surfaceInterpolationScheme<scalar>::interpolate
         (
@@ -525,9 +530,9 @@ bool Foam::cghs::gas::compositionFits() const
 }
 
 
-bool Foam::cghs::gas::fits(const bool first) const
+bool Foam::cghs::gas::fits() const
 {
-    if (!first)
+    if (nPasses() > 1)
     {
         return misfit() <= lag_.tolerance;
     }
@@ -593,8 +598,10 @@ Foam::tmp<Foam::surfaceScalarField> Foam::cghs::gas::displace
 )
 {
     rho_ == rho_.oldTime();
-    carriedRhof_.reset(new surfaceScalarField("carriedRhof", rhof_));
     setFaces();
+
+    // From now on: passes follow
+    carriedRhof_.reset(new surfaceScalarField("carriedRhof", rhof_));
 
     wordList types(rho_.boundaryField().types());
 

@@ -183,7 +183,7 @@ Foam::cghs::incompressibleFluid::momentumSource(fv::optionList& options)
 }
 
 
-bool Foam::cghs::incompressibleFluid::velocitySolved(const bool)
+bool Foam::cghs::incompressibleFluid::velocitySolved()
 {
     turbulence_->correct();
 

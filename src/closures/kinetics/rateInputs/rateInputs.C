@@ -36,6 +36,12 @@ static rateArgument meant(const rateArgument& what, const reaction& r)
 }
 
 
+static bool changesSolids(const reaction& r)
+{
+    return sum(mag(r.equation().solidGain())) > 0;
+}
+
+
 static bool takesFluid(const PtrList<reaction>& reactions)
 {
     for (const reaction& r : reactions)
@@ -92,6 +98,7 @@ Foam::cghs::rateInputs::rateInputs(const reactionScheme& scheme)
     {
         placeOf(temperature);
     }
+    findChanging();
     findActive();
 }
 
@@ -189,13 +196,25 @@ bool Foam::cghs::rateInputs::changes
         case rateArgument::temperature:
         {
             // By its heat capacity and what it holds of heat
-            return scheme_.energetic() && sum(mag(gain)) > 0;
+            return scheme_.energetic() && changesSolids(r);
         }
         case rateArgument::fluid:
         case rateArgument::fluidTemperature:
         case rateArgument::film: break;
     }
     return false;
+}
+
+
+void Foam::cghs::rateInputs::findChanging()
+{
+    forAll(scheme_.inParticles(), r)
+    {
+        if (changesSolids(scheme_.inParticles()[r]))
+        {
+            changing_.append(r);
+        }
+    }
 }
 
 

@@ -99,10 +99,6 @@ Foam::cghs::reactingCell::reactingCell
         const scalarField& gain =
             scheme.inParticles()[r].equation().solidGain();
 
-        if (sum(mag(gain)) > 0)
-        {
-            changing_.append(r);
-        }
         massGain_[r] = scheme.solids().massOf(gain);
         if (scheme.constantDensity())
         {
@@ -115,17 +111,17 @@ Foam::cghs::reactingCell::reactingCell
         }
     }
 
-    solidGain_.resize(nSolids_*changing_.size());
-    forAll(changing_, c)
+    const UList<label>& changing = inputs_.changing();
+    solidGain_.resize(nSolids_*changing.size());
+    forAll(changing, c)
     {
-        const reaction& r = scheme.inParticles()[changing_[c]];
+        const reaction& r = scheme.inParticles()[changing[c]];
         for (label s = 0; s < nSolids_; ++s)
         {
-            solidGain_[s*changing_.size() + c] =
-                r.equation().solidGain()[s];
+            solidGain_[s*changing.size() + c] = r.equation().solidGain()[s];
         }
     }
-    lookedX_.resize(changing_.size() + nEnergies_);
+    lookedX_.resize(changing.size() + nEnergies_);
 
     if (nEnergies_)
     {
@@ -412,9 +408,9 @@ Foam::scalar Foam::cghs::reactingCell::temperatureOf
 
 void Foam::cghs::reactingCell::addGains(const scalar* x, scalarField& n) const
 {
-    const label nChanging = changing_.size();
+    const label nChanging = inputs_.changing().size();
     const scalar* gain = solidGain_.cdata();
-    const label* changing = changing_.cdata();
+    const label* changing = inputs_.changing().cdata();
     for (scalar& each : n)
     {
         scalar sum = 0;
@@ -432,7 +428,7 @@ void Foam::cghs::reactingCell::look(const label i, const scalar* x) const
     // What the others do does not change it
     bool known = i == looked_;
     scalar* looked = lookedX_.data();
-    for (const label c : changing_)
+    for (const label c : inputs_.changing())
     {
         known = known && *looked == x[c];
         *looked++ = x[c];
@@ -820,7 +816,7 @@ void Foam::cghs::reactingCell::findTemperatureSlopes
 {
     const substances& solids = scheme_.solids();
     const UList<label>& active = inputs_.active();
-    const label nChanging = changing_.size();
+    const label nChanging = inputs_.changing().size();
 
     scalar C = 0;
     forAll(solids, s)
@@ -835,7 +831,7 @@ void Foam::cghs::reactingCell::findTemperatureSlopes
     }
 
     // What changes a particle changes its T: these are the active ones
-    forAll(changing_, c)
+    for (label c = 0; c < nChanging; ++c)
     {
         scalar taken = 0;
         forAll(h_, s)
