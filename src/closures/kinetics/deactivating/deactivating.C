@@ -14,10 +14,43 @@ namespace cghs
     addToRunTimeSelectionTable(kineticLaw, deactivating, dictionary);
 
 
-// Of the deactivation: 1 + steep exp(slope (w - middle)) [g/100 g]
-static const scalar steep = 9;
-static const scalar slope = 2;
-static const scalar middle = 7.8;
+// 1/(1 + steep exp(rise (w - middle))), w in g/100 g
+class lateLoss
+{
+    static constexpr scalar steep = 9;
+    static constexpr scalar rise = 2;
+    static constexpr scalar middle = 7.8;
+
+    scalar w_ = -1;
+
+public:
+
+    scalar value = 1;
+
+    //- Of its logarithm
+    scalar logSlope = 0;
+
+    //- All reactions of a particle ask for the same w, one after the other
+    void move(const scalar w)
+    {
+        if (w != w_)
+        {
+            const scalar lost = steep*std::exp(rise*(w - middle));
+            w_ = w;
+            value = 1/(1 + lost);
+            logSlope = -rise*lost*value;
+        }
+    }
+};
+
+static lateLoss& lateLossAt(const scalar w)
+{
+    static thread_local lateLoss last;
+
+    last.move(w);
+    return last;
+}
+
 
 // There is nothing left of it [g/100 g]
 static const scalar most = 100;
@@ -123,11 +156,10 @@ Foam::scalar Foam::cghs::deactivating::asked(const UList<scalar>& solids) const
 template<class Number>
 Number Foam::cghs::deactivating::activity(const Number& w) const
 {
-    using std::exp;
-
-    return
-        exp(Number(-alpha_*w))
-       /(1 + steep*exp(Number(slope*(w - middle))));
+    const scalar at = valueOf(w);
+    const lateLoss& late = lateLossAt(at);
+    const scalar phi = std::exp(-alpha_*at)*late.value;
+    return withSlope(phi, phi*(late.logSlope - alpha_), w);
 }
 
 
