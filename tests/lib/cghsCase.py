@@ -269,6 +269,11 @@ class Case:
         return of.columns(
             self.folder / "postProcessing" / CLOUD / "0/parcels.dat")
 
+    def indicators(self):
+        """The table errorIndicators.dat by the names of its columns."""
+        return of.columns(
+            self.folder / "postProcessing" / CLOUD / "0/errorIndicators.dat")
+
     def by_height(self, name):
         """Mean of a field in each layer of cells, at the last time."""
         values = of.field(self.folder, self.last(), name)

@@ -54,7 +54,7 @@ int main(int argc, char *argv[])
 
     const bool withFluid = fluid.valid();
 
-    stepReport report(cloud, runTime);
+    stepReport report(cloud, mesh);
     progress pace(runTime);
 
     Info<< nl << "Starting time loop" << nl << endl;

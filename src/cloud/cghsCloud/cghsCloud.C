@@ -47,6 +47,19 @@ Foam::scalar Foam::cghs::cghsCloud::largestDiameter() const
 }
 
 
+Foam::scalar Foam::cghs::cghsCloud::smallestDiameter() const
+{
+    scalar d = GREAT;
+
+    for (label i = 0; i < parcels_.size(); ++i)
+    {
+        d = min(d, 2*parcels_.spheres[i].r);
+    }
+
+    return returnReduce(d, minOp<scalar>());
+}
+
+
 Foam::scalar Foam::cghs::cghsCloud::largestSpeed() const
 {
     scalar speed = 0;
@@ -116,6 +129,7 @@ Foam::cghs::cghsCloud::cghsCloud
     momentum_(nullptr),
     present_(true),
     exchanging_(false),
+    warned_(false),
     slowClock_(properties_)
 {
     checkEntries(properties_, parcels_);
@@ -419,9 +433,40 @@ void Foam::cghs::cghsCloud::evolve(const scalar deltaT)
     }
 
     log_.nListBuilds = contacts_.nBuilds();
-    log_.maxOverlap = returnReduce(contacts_.maxOverlap(), maxOp<scalar>());
+    log_.overlaps = contacts_.overlaps();
+    log_.overlaps.gather();
     log_.correctionWork =
         returnReduce(contacts_.tally().correctionWork, sumOp<scalar>());
+    warnOfOverlaps();
+}
+
+
+void Foam::cghs::cghsCloud::warnOfOverlaps()
+{
+    const scalar muchOverlap = 0.01;    // of d, mean
+    const scalar muchFall = 0.05;       // g dt^2, of d
+    const scalar goodFall = 0.02;
+
+    if (warned_ || log_.overlaps.mean() < muchOverlap)
+    {
+        return;
+    }
+
+    const scalar d = smallestDiameter();
+    const scalar fall = mag(g_)*sqr(log_.minDeltaT)/d;
+    if (fall > muchFall)
+    {
+        warned_ = true;
+        WarningInFunction
+            << "Parcels that touch overlap by " << 100*log_.overlaps.mean()
+            << " % of d in the mean, " << 100*log_.overlaps.largest()
+            << " % at most" << nl
+            << "    Gravity alone moves those at rest by " << 100*fall
+            << " % in a solids step of " << log_.minDeltaT << " s" << nl
+            << "    Lower maxDeltaT in solution of " << name()
+            << "Properties, to " << std::sqrt(goodFall*d/mag(g_))
+            << " s for " << 100*goodFall << " %" << nl << endl;
+    }
 }
 
 // * * * * * * * * * * * * * * * * The fluid * * * * * * * * * * * * * * * * //
@@ -466,6 +511,12 @@ Foam::scalar Foam::cghs::cghsCloud::massFed() const
         mass += f.fed();
     }
     return mass;
+}
+
+
+Foam::List<Foam::cghs::figure> Foam::cghs::cghsCloud::errors() const
+{
+    return exchanges_.errors();
 }
 
 

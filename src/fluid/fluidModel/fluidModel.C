@@ -811,6 +811,19 @@ Foam::tmp<Foam::volVectorField> Foam::cghs::fluidModel::dGradP() const
 
 // * * * * * * * * * * * * * * * * Reports * * * * * * * * * * * * * * * * * //
 
+Foam::List<Foam::cghs::figure> Foam::cghs::fluidModel::errors() const
+{
+    List<figure> list
+    ({
+        {"Courant", courantNumber()},
+        {"volumeDefect", continuityError_}
+    });
+    list.append(transported_.errors());
+
+    return list;
+}
+
+
 void Foam::cghs::fluidModel::report(Ostream& os) const
 {
     os  << "fluid:  Courant number " << courantNumber()

@@ -652,6 +652,15 @@ Foam::tmp<Foam::volScalarField> Foam::cghs::gas::mut() const
 }
 
 
+Foam::List<Foam::cghs::figure> Foam::cghs::gas::errors() const
+{
+    List<figure> list(fluidModel::errors());
+    list.append({"gasDefect", mag(massDefect_)/max(mass_, VSMALL)});
+
+    return list;
+}
+
+
 void Foam::cghs::gas::report(Ostream& os) const
 {
     fluidModel::report(os);

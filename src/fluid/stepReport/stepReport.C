@@ -4,95 +4,96 @@
 \*---------------------------------------------------------------------------*/
 
 #include "stepReport.H"
-#include "OSspecific.H"
-#include "IOmanip.H"
-#include "PstreamReduceOps.H"
 #include "profiling.H"
+#include "PstreamReduceOps.H"
 
 Foam::cghs::stepReport::stepReport
 (
     const cghsCloud& cloud,
-    const Time& time
+    const fvMesh& mesh
 )
 :
     cloud_(cloud),
-    time_(time)
-{
-    if (Pstream::master())
-    {
-        openTable();
-    }
-}
+    time_(mesh.time()),
+    loads_(mesh),
+    parcels_(time_, cloud.name(), "parcels", 16),
+    errors_(time_, cloud.name(), "errorIndicators", 6)
+{}
 
 
-void Foam::cghs::stepReport::openTable()
-{
-    const fileName folder
-    (
-        time_.globalPath()/"postProcessing"/cloud_.name()/time_.timeName()
-    );
-
-    mkDir(folder);
-    table_.reset(new OFstream(folder/"parcels.dat"));
-
-    table_()
-        << "# time nParcels mass momentumX momentumY momentumZ"
-        << " centreX centreY centreZ kineticEnergy rotationalEnergy"
-        << " granularTemperature maxOverlap correctionWork nSolidsSteps"
-        << " clippedCells continuityError escapedMass fedMass" << endl;
-    table_().precision(16);
-}
-
-
-void Foam::cghs::stepReport::writeRow
+void Foam::cghs::stepReport::writeParcels
 (
     const census& c,
-    const stepLog& log,
     const label nCrowded,
     const scalar continuityError
 )
 {
+    const stepLog& log = cloud_.log();
     const scalar escaped =
         returnReduce
         (
             cloud_.transportStage().gone().mass(),
             sumOp<scalar>()
         );
-
-    if (!table_.valid())
-    {
-        return;
-    }
-
     const vector centre(c.massMoment/max(c.mass, VSMALL));
-    OFstream& os = table_();
 
-    os  << time_.value() << token::SPACE
-        << c.nParcels << token::SPACE << c.mass;
+    parcels_.write
+    (
+        List<figure>
+        ({
+            {"nParcels", scalar(c.nParcels)},
+            {"mass", c.mass},
+            {"momentumX", c.momentum.x()},
+            {"momentumY", c.momentum.y()},
+            {"momentumZ", c.momentum.z()},
+            {"centreX", centre.x()},
+            {"centreY", centre.y()},
+            {"centreZ", centre.z()},
+            {"kineticEnergy", c.kineticEnergy},
+            {"rotationalEnergy", c.rotationalEnergy},
+            {"granularTemperature", c.granularTemperature()},
+            {"maxOverlap", log.overlaps.largest()},
+            {"correctionWork", log.correctionWork},
+            {"nSolidsSteps", scalar(log.nSolidsSteps)},
+            {"clippedCells", scalar(nCrowded)},
+            {"continuityError", continuityError},
+            {"escapedMass", escaped},
+            {"fedMass", cloud_.massFed()}
+        })
+    );
+}
 
-    for (const vector& v : {c.momentum, centre})
-    {
-        for (direction d = 0; d < 3; ++d)
+
+void Foam::cghs::stepReport::writeErrors
+(
+    const census& c,
+    const autoPtr<fluidModel>& fluid
+)
+{
+    const stepLog& log = cloud_.log();
+    const scalar deltaT = time_.deltaTValue();
+    const scalar clock = clock_.timeIncrement();
+
+    List<figure> list
+    ({
+        {"deltaT", deltaT},
+        {"secondsPerDay", 86400*deltaT/max(clock, VSMALL)},
+        {"maxOverlap", log.overlaps.largest()},
+        {"meanOverlap", log.overlaps.mean()},
         {
-            os  << token::SPACE << v[d];
-        }
-    }
-
-    os  << token::SPACE << c.kineticEnergy
-        << token::SPACE << c.rotationalEnergy
-        << token::SPACE << c.granularTemperature()
-        << token::SPACE << log.maxOverlap
-        << token::SPACE << log.correctionWork
-        << token::SPACE << log.nSolidsSteps
-        << token::SPACE << nCrowded
-        << token::SPACE << continuityError
-        << token::SPACE << escaped
-        << token::SPACE << cloud_.massFed() << nl;
-
-    if (time_.writeTime() || time_.timeIndex() % 50 == 0)
+            "correctionWork",
+            log.correctionWork/max(c.kineticEnergy, VSMALL)
+        },
+        {"crowdedCells", scalar(log.nCrowdedCells)}
+    });
+    list.append(loads_.figures(cloud_.parcels(), deltaT));
+    list.append(cloud_.errors());
+    if (fluid.valid())
     {
-        os.flush();
+        list.append(fluid->errors());
     }
+
+    errors_.write(list);
 }
 
 
@@ -107,14 +108,11 @@ void Foam::cghs::stepReport::write
     const census c(cloud_.count());
     const stepLog& log = cloud_.log();
 
-    const label nCrowded = fluid.valid() ? log.nCrowdedCells : 0;
-    const scalar defect = fluid.valid() ? fluid->continuityError() : 0;
-
     os  << "solids: " << log.nSolidsSteps << " steps of at least "
         << log.minDeltaT << " s, " << log.nListBuilds << " lists, "
         << c.nParcels << " parcels, " << c.mass << " kg" << nl
         << "        granular temperature " << c.granularTemperature()
-        << ", largest overlap " << 100*log.maxOverlap
+        << ", largest overlap " << 100*log.overlaps.largest()
         << " % of d, correction work " << log.correctionWork << " J, "
         << log.nCrowdedCells << " cells too full" << nl;
     cloud_.report(os);
@@ -124,5 +122,11 @@ void Foam::cghs::stepReport::write
         fluid->report(os);
     }
 
-    writeRow(c, log, nCrowded, defect);
+    writeParcels
+    (
+        c,
+        fluid.valid() ? log.nCrowdedCells : 0,
+        fluid.valid() ? fluid->continuityError() : 0
+    );
+    writeErrors(c, fluid);
 }

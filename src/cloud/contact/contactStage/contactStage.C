@@ -34,8 +34,7 @@ Foam::cghs::contactStage::contactStage
     maxSpeed_(0),
     wallBody_(0),
     firstGuestSlot_(0),
-    nBuilds_(0),
-    maxOverlap_(0)
+    nBuilds_(0)
 {}
 
 
@@ -249,12 +248,7 @@ void Foam::cghs::contactStage::appendPair
         )
     );
 
-    const scalar smaller = min(a.r, b.r);
-
-    if (c.overlap > 2*smaller*maxOverlap_)
-    {
-        maxOverlap_ = 0.5*c.overlap/smaller;
-    }
+    overlaps_.note(c.overlap, min(a.r, b.r));
     appendIfMeeting(c, parcels, deltaT, log);
 }
 
@@ -317,8 +311,7 @@ void Foam::cghs::contactStage::findAtWalls
         [&](contact& c, const label face)
         {
             setSurface(c, parcels);
-            maxOverlap_ =
-                max(maxOverlap_, 0.5*c.overlap/spheres[c.a].r);
+            overlaps_.note(c.overlap, spheres[c.a].r);
             appendIfMeeting(c, parcels, deltaT, contacts_);
 
             if (needs_.wallFaces)
@@ -604,7 +597,7 @@ void Foam::cghs::contactStage::setState(const dictionary& state)
 
 void Foam::cghs::contactStage::resetLog()
 {
-    maxOverlap_ = 0;
+    overlaps_ = overlapStatistics();
     nBuilds_ = 0;
     model_->tally() = contactTally();
 }

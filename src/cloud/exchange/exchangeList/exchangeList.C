@@ -279,6 +279,17 @@ void Foam::cghs::exchangeList::complete
 
 // * * * * * * * * * * * * * * * * Reports * * * * * * * * * * * * * * * * * //
 
+Foam::List<Foam::cghs::figure> Foam::cghs::exchangeList::errors() const
+{
+    List<figure> list;
+    for (const exchange& e : *this)
+    {
+        list.append(e.errors());
+    }
+    return list;
+}
+
+
 void Foam::cghs::exchangeList::report(const arena& parcels, Ostream& os) const
 {
     for (const exchange& e : *this)

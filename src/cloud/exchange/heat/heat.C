@@ -529,6 +529,16 @@ Foam::List<Foam::cghs::figure> Foam::cghs::heat::figures() const
 }
 
 
+Foam::List<Foam::cghs::figure> Foam::cghs::heat::errors() const
+{
+    return List<figure>
+    ({
+        {"heatDefect", balance_.relativeDefect()},
+        {"heatMismatch", mag(mismatch_)/max(exchanged_, VSMALL)}
+    });
+}
+
+
 void Foam::cghs::heat::report(const arena& parcels, Ostream& os) const
 {
     if (range_.most < range_.least)

@@ -979,6 +979,15 @@ Foam::List<Foam::cghs::figure> Foam::cghs::reactions::figures() const
 }
 
 
+Foam::List<Foam::cghs::figure> Foam::cghs::reactions::errors() const
+{
+    return List<figure>
+    ({
+        {"solidsDefect", mag(defect_)/max(mass_, VSMALL)}
+    });
+}
+
+
 void Foam::cghs::reactions::report(const arena& parcels, Ostream& os) const
 {
     os  << "reactions:";

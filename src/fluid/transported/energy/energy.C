@@ -603,10 +603,15 @@ void Foam::cghs::energy::addBoundary
 }
 
 
+Foam::List<Foam::cghs::figure> Foam::cghs::energy::errors() const
+{
+    return List<figure>({{"energyDefect", balance_.relativeDefect()}});
+}
+
+
 void Foam::cghs::energy::report(Ostream& os) const
 {
     const scalarField& T = thermo_.T().primitiveField();
-    const scalar defect = balance_.defect();
 
     os  << "energy: stored " << balance_.stored
         << " W, inflow " << balance_.inflow
@@ -616,8 +621,8 @@ void Foam::cghs::energy::report(Ostream& os) const
         << " W, pressure " << balance_.pressure
         << " W, radiation " << balance_.radiation
         << " W, viscosity " << balance_.viscosity << " W" << nl
-        << "        energy from nowhere " << defect << " W, relative "
-        << mag(defect)/max(balance_.scale, VSMALL)
+        << "        energy from nowhere " << balance_.defect()
+        << " W, relative " << balance_.relativeDefect()
         << "; T from " << gMin(T) << " to " << gMax(T) << " K" << nl;
 }
 

@@ -6,6 +6,7 @@
 #include "species.H"
 #include "composition.H"
 #include "sharedWeights.H"
+#include "splittingError.H"
 #include "fluidModel.H"
 #include "fluidThermo.H"
 #include "basicSpecieMixture.H"
@@ -14,6 +15,7 @@
 #include "fvm.H"
 #include "fvc.H"
 #include "addToRunTimeSelectionTable.H"
+#include <algorithm>
 
 namespace Foam
 {
@@ -37,7 +39,8 @@ Foam::cghs::species::species(const dictionary& dict, fluidModel& fluid)
     diffusivity_(diffusivityModel::New(dict, solvedNames())),
     diffusivityf_(Y_.size()),
     gradients_(Y_.size()),
-    budgets_(names_, fluid.U().mesh())
+    budgets_(names_, fluid.U().mesh()),
+    splittingError_(0)
 {
     warnUnknownEntries
     (
@@ -414,6 +417,66 @@ void Foam::cghs::species::solve
         addUpInert(flow);
     }
     weigh(flow);
+    measureSplitting(flow, terms);
+}
+
+
+void Foam::cghs::species::measureSplitting
+(
+    const fluidFlow& flow,
+    const List<exchangeTerms>& terms
+)
+{
+    splittingError_ = 0;
+    if
+    (
+        std::none_of
+        (
+            terms.begin(),
+            terms.end(),
+            [](const exchangeTerms& t) { return t.any() || t.responds(); }
+        )
+    )
+    {
+        return;
+    }
+
+    const fvMesh& mesh = flow.alpha.mesh();
+    const scalar deltaT = mesh.time().deltaTValue();
+    const scalarField& V = mesh.V();
+    const scalarField content
+    (
+        flow.alpha.primitiveField()*flow.rho.primitiveField()*V
+    );
+    const scalarField before
+    (
+        flow.alpha.oldTime().primitiveField()
+       *flow.rho.oldTime().primitiveField()*V
+    );
+
+    splittingError error(flow.massFlux, content, deltaT);
+    forAll(Y_, k)
+    {
+        if (!terms[k].any() && !terms[k].responds())
+        {
+            continue;
+        }
+
+        const scalarField& old = Y_[k].oldTime().primitiveField();
+        scalarField taken(V.size(), Zero);
+        if (terms[k].any())
+        {
+            taken -= deltaT*V*terms[k].given().primitiveField();
+        }
+        if (terms[k].responds())
+        {
+            taken +=
+                deltaT*V*terms[k].response().primitiveField()
+               *(Y_[k].primitiveField() - old);
+        }
+        error.note(before*old, taken);
+    }
+    splittingError_ = error.mean();
 }
 
 
@@ -658,6 +721,21 @@ void Foam::cghs::species::weigh(const fluidFlow& flow)
 }
 
 
+Foam::List<Foam::cghs::figure> Foam::cghs::species::errors() const
+{
+    scalar worst = 0;
+    for (const speciesBudget& b : budgets_)
+    {
+        worst = max(worst, b.relativeDefect());
+    }
+    return List<figure>
+    ({
+        {"speciesDefect", worst},
+        {"splittingError", splittingError_}
+    });
+}
+
+
 void Foam::cghs::species::report(Ostream& os) const
 {
     forAll(Y_, k)
@@ -670,7 +748,7 @@ void Foam::cghs::species::report(Ostream& os) const
             << " kg/s, walls " << b.walls << " kg/s, parcels " << b.parcels
             << " kg/s, sources " << b.sources << " kg/s" << nl
             << "        defect " << b.defect() << " kg/s, relative "
-            << mag(b.defect())/max(b.scale, VSMALL) << "; " << b.mass
+            << b.relativeDefect() << "; " << b.mass
             << " kg, from nowhere " << b.missing << " kg; Y from "
             << gMin(Y) << " to " << gMax(Y) << nl;
     }

@@ -190,6 +190,18 @@ void Foam::cghs::transportedQuantities::finishStep()
 }
 
 
+Foam::List<Foam::cghs::figure>
+Foam::cghs::transportedQuantities::errors() const
+{
+    List<figure> list;
+    for (const transported& quantity : quantities_)
+    {
+        list.append(quantity.errors());
+    }
+    return list;
+}
+
+
 void Foam::cghs::transportedQuantities::report(Ostream& os) const
 {
     for (const transported& quantity : quantities_)
