@@ -135,6 +135,11 @@ Foam::cghs::cghsCloud::cghsCloud
     checkEntries(properties_, parcels_);
     exchanges_.startLending(contacts_);
 
+    if (!contacts_.needed())
+    {
+        transport_.startBouncing();
+    }
+
     if (feeding_.recycling())
     {
         transport_.gone().keep();

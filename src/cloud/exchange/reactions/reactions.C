@@ -75,6 +75,10 @@ Foam::cghs::reactions::reactions(const dictionary& dict, const fvMesh& mesh)
       ? positiveScalar(dict, "leastDiameter")
       : 1e-6
     ),
+    leastDensity_
+    (
+        dict.found("leastDensity") ? positiveScalar(dict, "leastDensity") : 0
+    ),
     heat_(nullptr),
     gained_(),
     isGas_(true),
@@ -110,7 +114,8 @@ Foam::cghs::reactions::reactions(const dictionary& dict, const fvMesh& mesh)
         dict,
         wordList
         ({
-            "relative", "absolute", "massTransfer", "T", "leastDiameter"
+            "relative", "absolute", "massTransfer", "T", "leastDiameter",
+            "leastDensity"
         })
     );
 

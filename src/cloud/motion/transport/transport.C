@@ -65,18 +65,19 @@ void Foam::cghs::transport::turnBack
 (
     arena& parcels,
     const label i,
-    const label facei
+    const label facei,
+    const bool mirrored
 )
 {
     const vector n(locator_.outwardNormal(facei));
     sphere& s = parcels.spheres[i];
     motion& m = parcels.motions[i];
 
-    // To just inside the face, by the way it came in
+    // To just inside the face, by the way it came in; or as far as it was out
     const scalar out = (s.x - mesh_.faceCentres()[facei]) & n;
-    s.x -= (out + 1e-3*s.r)*n;
+    s.x -= (out + max(mirrored ? out : scalar(0), 1e-3*s.r))*n;
 
-    m.v -= max(m.v & n, scalar(0))*n;
+    m.v -= (bouncing_ ? 2 : 1)*max(m.v & n, scalar(0))*n;
 
     ++nPenetrated_;
 }
@@ -125,7 +126,7 @@ Foam::cghs::transport::fate Foam::cghs::transport::settleOne
             case action::rebound:
             case action::valve:
             case action::mirror:
-                turnBack(parcels, i, facei);
+                turnBack(parcels, i, facei, bouncing_ && step < 3);
                 break;
 
             case action::axis:
@@ -442,6 +443,25 @@ Foam::cghs::transport::report Foam::cghs::transport::survey
 }
 
 
+void Foam::cghs::transport::goneOutOfHand
+(
+    const arena& parcels,
+    const label i
+) const
+{
+    FatalErrorInFunction
+        << "Parcel " << parcels.ids[i] << " at " << parcels.spheres[i].x
+        << " moves at " << parcels.motions[i].v
+        << " m/s, in a step further than " << ways_ << " times the mesh: the"
+        << " run has gone out of hand" << nl
+        << "It has a density of " << parcels.density(i) << " kg/m^3. One that is"
+        << " lighter than its fluid wants forces (addedMass) in subModels, one"
+        << " that burns up leastDensity in reactionsCoeffs" << nl
+        << "This step is not written" << nl
+        << exit(FatalError);
+}
+
+
 Foam::cghs::transport::report Foam::cghs::transport::move
 (
     arena& parcels,
@@ -451,6 +471,7 @@ Foam::cghs::transport::report Foam::cghs::transport::move
     addProfiling(move, "cghs::move");
 
     const bool shifting = parcels.shifting() && parcels.shifts.size();
+    const scalar furthestSqr = sqr(ways_*mesh_.bounds().mag());
     scalar maxDistanceSqr = 0;
     scalar maxRateSqr = 0;
     bool crossed = false;
@@ -470,8 +491,15 @@ Foam::cghs::transport::report Foam::cghs::transport::move
         }
         s.x += path;
 
-        maxDistanceSqr = max(maxDistanceSqr, magSqr(path));
+        const scalar distanceSqr = magSqr(path);
+        maxDistanceSqr = max(maxDistanceSqr, distanceSqr);
         maxRateSqr = max(maxRateSqr, magSqr(v)/sqr(2*s.r));
+
+        // Not 'distance > ...', which would let nan pass
+        if (!(distanceSqr <= furthestSqr))
+        {
+            goneOutOfHand(parcels, i);
+        }
 
         label facei = locator_.follow(s.x, parcels.cells[i]);
 
@@ -479,7 +507,7 @@ Foam::cghs::transport::report Foam::cghs::transport::move
         // cell may end, too
         for (label wall = 0; wall < 3 && holds(facei); ++wall)
         {
-            turnBack(parcels, i, facei);
+            turnBack(parcels, i, facei, bouncing_ && wall < 2);
             facei = locator_.follow(s.x, parcels.cells[i]);
         }
 
@@ -531,7 +559,8 @@ Foam::cghs::transport::transport(const polyMesh& mesh, const dictionary& dict)
     ),
     departures_(mesh.boundaryMesh().size()),
     visitors_(mesh, locator_),
-    nPenetrated_(0)
+    nPenetrated_(0),
+    bouncing_(false)
 {
     // Made when it is first asked for, by all ranks together: later one of them
     // may ask alone

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "centroid.H"
+#include "fvMesh.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -13,4 +14,28 @@ namespace cghs
     defineTypeNameAndDebug(centroid, 0);
     addToRunTimeSelectionTable(mappingModel, centroid, dictionary);
 }
+}
+
+
+Foam::cghs::centroid::centroid
+(
+    const dictionary& dict,
+    const fvMesh& mesh,
+    const scalar parcelDiameter,
+    const labelUList&
+)
+{
+    const scalar cell = cbrt(gAverage(mesh.V().field()));
+
+    // Of one cell alone, and where parcels are in one plane, width says little
+    if (mesh.nGeometricD() == 3 && parcelDiameter > 0.5*cell)
+    {
+        IOWarningInFunction(dict)
+            << "Parcels of " << parcelDiameter << " m, in cells that are "
+            << cell << " m wide in the mean: centroid leaves all of a parcel in"
+            << " the cell of its centre, so each that changes cells is a blow"
+            << " to the fluid"
+            << nl << "    Take mappingModel diffusion, larger cells, or smaller"
+            << " parcels" << nl << endl;
+    }
 }
