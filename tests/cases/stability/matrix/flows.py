@@ -117,7 +117,7 @@ def terminal():
 
 def supersonic():
     """Into air at rest. By small steps of dv/dt = -K v, to first order."""
-    d, rho_p, v0, n, dt = 1e-3, 2500.0, 3000.0, 200, 1e-5
+    d, rho_p, v0, n, dt = 1e-3, 2500.0, 3000.0, 100, 2e-5
     gas = ideal_gas(1.2, 1.2*NU)
     case = Case("supersonic", x1=10, y1=0.5, z1=0.5, cells=(20, 1, 1),
                 g=(0, 0, 0), coupling="twoWay", dragModel="WenYu", deltaT=dt,
@@ -183,20 +183,20 @@ def alone():
     """One parcel of 3 cells rises in water in a closed box: it ends at the lid,
     and the water at rest."""
     d = 3e-3
-    case = Case("wide.one", x1=0.02, y1=0.02, z1=0.02, cells=(20, 20, 20),
+    case = Case("wide.one", x1=0.012, y1=0.012, z1=0.012, cells=(12, 12, 12),
                 coupling="twoWay", rho=1000, nu=1e-6, dragModel="Gidaspow",
-                e=0.5, diameter=d, density=500, deltaT=2e-3, endTime=1,
+                e=0.5, diameter=d, density=500, deltaT=4e-3, endTime=0.4,
                 minVoidage=0.2)
     case.append("constant/parcelsProperties", "subModels { forces"
                 " (addedMass); addedMassCoeffs { C 0.5; crowding none; } }")
-    case.parcels([[0.0101, 0.006, 0.0102]], d=d, rho=500)
+    case.parcels([[0.0061, 0.004, 0.0062]], d=d, rho=500)
     solve("wide.one", case)
     x, v = case.final("position", "U")
-    result("wide.one.place", abs(x[0, 1]/(0.02 - d/2) - 1), 0.01)
+    result("wide.one.place", abs(x[0, 1]/(0.012 - d/2) - 1), 0.01)
     result("wide.one.speed", abs(v).max(), 0.01)
     alpha = of.field("wide.one", case.last(), "alpha")
     result("wide.one.volume",
-           abs((1 - alpha).mean()*8e-6/(np.pi/6*d**3) - 1), 1e-9)
+           abs((1 - alpha).mean()*0.012**3/(np.pi/6*d**3) - 1), 1e-9)
 
 
 # ---- Meshes

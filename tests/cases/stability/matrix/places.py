@@ -99,7 +99,7 @@ def bounce():
 
 def full():
     """Air, a bed of 0.6 up to the top, and parcels to be fed in there."""
-    d, side, rho, rate = 1e-3, 0.01, 2500.0, 0.01
+    d, side, rho, rate = 1e-3, 0.01, 2500.0, 5e-3
     n = int(0.6*side**3/(np.pi/6*d**3))
     case = Case("full", overlay="throughFlow", x1=side, y1=side, z1=side,
                 cells=(4, 4, 4), typeY="patch", top="rebound", U=(0, 0.1, 0),
