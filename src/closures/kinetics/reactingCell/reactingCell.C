@@ -20,6 +20,13 @@ namespace cghs
 static const scalar coldest = 1;
 static const scalar hottest = 2e4;
 
+// An error over what is tolerated. A step that has run away may leave amounts
+// that cancel to nothing: it is not good then, and nothing is divided by that
+static inline scalar over(const scalar error, const scalar tolerated)
+{
+    return error < GREAT*tolerated ? error/tolerated : GREAT;
+}
+
 // An amount that counts as none [mol, mol/m^3]: rates may fall from all to
 // nothing within it, and even squares of that slope are numbers
 static const scalar nothing = 1e-30;
@@ -1041,7 +1048,7 @@ Foam::scalar Foam::cghs::reactingCell::error
         worst = max
         (
             worst,
-            mag(dn)/(least + tolerances_.relative*mag(n_[s]))
+            over(mag(dn), least + tolerances_.relative*mag(n_[s]))
         );
         if (nEnergies_)
         {
@@ -1051,7 +1058,7 @@ Foam::scalar Foam::cghs::reactingCell::error
     }
     return
         nEnergies_
-      ? max(worst, mag(dH)/(C*tolerances_.relative*T_[i]))
+      ? max(worst, over(mag(dH), C*tolerances_.relative*T_[i]))
       : worst;
 }
 
@@ -1080,8 +1087,7 @@ Foam::scalar Foam::cghs::reactingCell::sharedError
         worst = max
         (
             worst,
-            mag(dz[k])
-           /(least + tolerances_.relative*mag(z[k]))
+            over(mag(dz[k]), least + tolerances_.relative*mag(z[k]))
         );
         if (nEnergies_)
         {
@@ -1091,7 +1097,7 @@ Foam::scalar Foam::cghs::reactingCell::sharedError
     }
     return
         nEnergies_
-      ? max(worst, mag(dH)/(C*tolerances_.relative*T))
+      ? max(worst, over(mag(dH), C*tolerances_.relative*T))
       : worst;
 }
 

@@ -175,7 +175,7 @@ def sizes():
     x = np.vstack([points, [[0.013, 0.02, 0.013], [0.037, 0.025, 0.036]]])
     d = np.append(np.full(len(points), small), [large, large])
     case = Case("sizes", x1=side, y1=side, z1=side, cells=(5, 5, 5), e=0.5,
-                et=0.5, mu=0.1, deltaT=dt, endTime=0.4, diameter=small)
+                et=0.5, mu=0.1, deltaT=dt, endTime=0.6, diameter=small)
     case.parcels(x, omega=(0, 0, 0), d=d)
     solve("sizes", case)
     table, last = case.table(), slice(-200, None)
@@ -195,7 +195,8 @@ def same(model):
     case = Case(name, x1=side, y1=side, z1=side, cells=(4, 4, 4), g=(0, 0, 0),
                 typeX="cyclic", typeY="cyclic", typeZ="cyclic",
                 contactModel=model, mu=0.1, e=0.5, et=0.3, deltaT=dt,
-                endTime=0.1, springConstant=1e2)
+                endTime=0.1 if model == "hardSphere" else 0.02,
+                springConstant=1e2)
     x = 2*[(0.02, 0.05, 0.05)] + 5*[(0.06, 0.03, 0.07)]
     case.parcels(x, U=v, omega=(0, 0, 0), d=d)
     solve(name, case)

@@ -148,8 +148,8 @@ def blocked():
     d, side = 1e-3, 0.01
     case = Case("blocked.screen", overlay="throughFlow", x1=side, y1=2*side,
                 z1=side, cells=(4, 8, 4), typeY="patch", top="rebound",
-                U=(0, 2.0, 0), coupling="twoWay", dragModel="Gidaspow",
-                diameter=d, density=2500, e=0.5, mu=0.1, deltaT=1e-4,
+                U=(0, 3.0, 0), coupling="twoWay", dragModel="Gidaspow",
+                diameter=d, density=250, e=0.5, mu=0.1, deltaT=1e-4,
                 endTime=0.2)
     case.fill(fillNumber=300)
     solve("blocked.screen", case)

@@ -154,7 +154,7 @@ def husk(least, said=None):
     burnt = gas_carbon(case) - 2*W*rho*np.pi/6*d**3
     out = dt*of.log_values(case.folder/"log.cghsFoam", "burntOut").sum()
     print(f"{name}: up to {fastest:.3g} m/s, {abs(out):.3g} kg taken out")
-    result(f"{name}.carbon", abs(burnt + abs(out))/(abs(out) - burnt), 1e-2)
+    result(f"{name}.carbon", abs(burnt + abs(out))/(abs(out) - burnt), 1e-6)
 
 
 def main():
