@@ -454,8 +454,8 @@ void Foam::cghs::transport::goneOutOfHand
         << " moves at " << parcels.motions[i].v
         << " m/s, in a step further than " << ways_ << " times the mesh: the"
         << " run has gone out of hand" << nl
-        << "It has a density of " << parcels.density(i) << " kg/m^3. One that is"
-        << " lighter than its fluid wants forces (addedMass) in subModels, one"
+        << "It has a density of " << parcels.density(i) << " kg/m^3. One"
+        << " that is lighter than its fluid wants forces (addedMass) in subModels, one"
         << " that burns up leastDensity in reactionsCoeffs" << nl
         << "This step is not written" << nl
         << exit(FatalError);

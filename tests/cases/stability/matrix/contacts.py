@@ -10,12 +10,12 @@
 #       with a wall, against the law of impact. Momentum and angular momentum to
 #       round-off, energy does not rise.
 #     - crowd: so do a dense crowd's, sizes 3:1, in all of its steps.
-#     - press: a bed under 1000 g comes to rest, in steps in which what rests falls
-#       by 0.005 of a diameter. Where it falls by a half, that is said; no parcel
-#       leaves the box.
+#     - press: a bed under 1000 g comes to rest, in steps in which what rests
+#       falls by 0.005 of a diameter. Where it falls by a half, that is said; no
+#       parcel leaves the box.
 #     - sizes: 20:1, the large ones dropped on a layer of the small.
-#     - same: parcels at the same point part, without momentum; hard ones without
-#       a speed, soft ones with no more than their springs had.
+#     - same: parcels at the same point part, without momentum; hard ones
+#       without a speed, soft ones with no more than their springs had.
 #     - rest: a bed at rest stays so, step after step.
 # ------------------------------------------------------------------------------
 """Contacts of the stability matrix."""
@@ -76,7 +76,8 @@ def ends(e, et, mu, W):
     dt = 1e-10
 
     every = x.reshape(-1, 3), v.reshape(-1, 3), w.reshape(-1, 3)
-    X, V, w0 = (np.vstack([a, b]) for a, b in zip(every, (wall[:1], fall, turn)))
+    X, V, w0 = (np.vstack([a, b])
+                for a, b in zip(every, (wall[:1], fall, turn)))
     d = np.append(2*r.ravel(), 0.01)/k
     rho = np.append(1000*heavy.ravel(), 1000)
     case = Case(name, x1=4, cells=(4, 1, 1), g=(0, 0, 0), e=e, et=et, mu=mu,
@@ -116,7 +117,8 @@ def crowd(e, et, mu, W=1, **parameters):
     rng = np.random.default_rng(5)
     flat = parameters.get("typeZ") == "empty"
     points = lattice(8, 8, 1 if flat else 8)
-    d = side/8*np.cbrt(0.45*6/np.pi)*np.where(np.arange(len(points)) % 2, 1, 0.33)
+    wide = np.where(np.arange(len(points)) % 2, 1, 0.33)
+    d = side/8*np.cbrt(0.45*6/np.pi)*wide
     rest = dict(x1=side, y1=side, z1=side, cells=(4, 4, 1 if flat else 4),
                 typeX="cyclic", typeY="cyclic", typeZ="cyclic", g=(0, 0, 0),
                 e=e, et=et, mu=mu, deltaT=dt, endTime=steps*dt,

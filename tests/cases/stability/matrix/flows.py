@@ -9,16 +9,16 @@
 #       box of periods, with steps of 1e-6 to 1e6 drag times, W of 1 to 1e9 and
 #       densities of 1e-3 to 1e5 of the fluid's: slip and momentum against the
 #       two equations, by hand.
-#     - let go: light spheres in liquid with the mass that goes along, dense ones
-#       in gas: g (rho_p - rho)/(rho_p + C rho).
+#     - let go: light spheres in liquid with the mass that goes along, dense
+#       ones in gas: g (rho_p - rho)/(rho_p + C rho).
 #     - terminal: 20 times as large as its neighbour, the velocity of each.
-#     - supersonic: a parcel enters gas at rest at 3000 m/s: it slows down as the
-#       drag law says.
+#     - supersonic: a parcel enters gas at rest at 3000 m/s: it slows down as
+#       the drag law says.
 #     - dense: air through a bed of 0.7 solids, Ergun's pressure drop.
 #     - wide: parcels of 3 cells; alone in the box, too.
-#     - meshes: as much dust as fluid, by mass, flies about in fluid at rest, in a
-#       closed box of all kinds of cells, with steps of up to 1e6 drag times: the
-#       energy of both never rises, and the volume is all there.
+#     - meshes: as much dust as fluid, by mass, flies about in fluid at rest, in
+#       a closed box of all kinds of cells, with steps of up to 1e6 drag times:
+#       the energy of both never rises, and the volume is all there.
 # ------------------------------------------------------------------------------
 """Suspensions of the stability matrix."""
 
@@ -47,8 +47,8 @@ PERIODIC = {f"type{axis}": "cyclic" for axis in "XYZ"}
 
 
 def drag(share, ratio, W=1e9):
-    """Steps of so many drag times. A parcel in each cell, which has as much mass
-    as the fluid there, but a fifth of the volume at most."""
+    """Steps of so many drag times. A parcel in each cell, which has as much
+    mass as the fluid there, but a fifth of the volume at most."""
     name = f"drag.{ratio:g}.W{W:g}.dt{share:g}"
     d, slip, n, steps, rho = 1e-7, 1e-6, 4, 10, 1.2
     density, load = ratio*rho, min(1, 0.2*ratio)

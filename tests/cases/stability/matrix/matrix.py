@@ -3,8 +3,8 @@
 # Licence: GPL-3.0-or-later, see the file LICENSE
 #
 # Description
-#     What all parts of the matrix ask of a case: that no number in any file that
-#     it has written is nan or infinite, whether it came to its end or not.
+#     What all parts of the matrix ask of a case: that no number in any file
+#     that it has written is nan or infinite, whether it came to its end or not.
 # ------------------------------------------------------------------------------
 """Judging the cases of the stability matrix."""
 
@@ -67,8 +67,8 @@ def refused(name, case, *texts):
 
 def momentum(case, time):
     """Of the parcels [kg m/s], of W particles each."""
-    m, U = masses(case, time), of.cloud_by_id(case.folder, time, CLOUD, "U")["U"]
-    return (m[:, None]*U).sum(axis=0)
+    U = of.cloud_by_id(case.folder, time, CLOUD, "U")["U"]
+    return (masses(case, time)[:, None]*U).sum(axis=0)
 
 
 def masses(case, time):

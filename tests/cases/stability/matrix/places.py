@@ -7,16 +7,17 @@
 #
 #     - on: on each point, and in the middle of each edge and face of cells of
 #       cubes and of tetrahedra, those of the walls too. In a fluid that feels
-#       them; those within fly straight on, none is lost, all of the volume counts.
+#       them; those within fly straight on, none is lost, all of the volume
+#       counts.
 #     - wall: hard spheres whose centres are on a wall, an edge, a corner of the
 #       box are put inside.
-#     - bounce: parcels without contacts come back from walls, as fast, and a plane
-#       of symmetry does as if their image was there.
-#     - full: solids are fed into a bed that is full: what finds no room is owed,
-#       and nothing is squeezed.
-#     - blocked: what comes in cannot leave: a liquid is refused, with the patch's
-#       name; the pressure of a gas rises as it must; a screen in the outlet holds
-#       the bed that is blown against it.
+#     - bounce: parcels without contacts come back from walls, as fast, and a
+#       plane of symmetry does as if their image was there.
+#     - full: solids are fed into a bed that is full: what finds no room is
+#       owed, and nothing is squeezed.
+#     - blocked: what comes in cannot leave: a liquid is refused, with the
+#       patch's name; the pressure of a gas rises as it must; a screen in the
+#       outlet holds the bed that is blown against it.
 #     - empty: no parcel, in a gas and in a liquid.
 # ------------------------------------------------------------------------------
 """Places of the stability matrix."""
@@ -32,8 +33,8 @@ from matrix import masses, refused, result, solve
 
 
 def on(kind):
-    """All places of a lattice of half cells: points, and middles of edges, faces
-    and cells. Tetrahedra go along diagonals of the cubes."""
+    """All places of a lattice of half cells: points, and middles of edges,
+    faces and cells. Tetrahedra go along diagonals of the cubes."""
     name, n, side, v = f"on.{kind}", 3, 0.3, np.array([0.1, 0.07, -0.03])
     d, dt, steps = 1e-3, 0.01, 20
     mesh = dict(cells=(n, n, n)) if kind == "cubes" else dict(mesh=False)
@@ -62,7 +63,7 @@ def on(kind):
 
 
 def wall():
-    """At all 26 places of the box's walls, at rest, and their velocities out."""
+    """At all 26 places of the box's walls, at rest, and on their way out."""
     d, side = 0.02, 0.3
     x = np.array([p for p in itertools.product((0, 0.5, 1), repeat=3)
                   if p != (0.5, 0.5, 0.5)])*side

@@ -7,14 +7,15 @@
 #
 #     - atOnce: char in a closed box of air, at rates of 1e12 1/s, until all
 #       oxygen is gone: elements, mass and energy close, temperature by balance.
-#     - cold: parcels of 100 K in gas of 3000 K, and the other way round, come to
-#       the temperature of the mixture; a reaction that asks for 24000 K does not
-#       take place at 100 K.
+#     - cold: parcels of 100 K in gas of 3000 K, and the other way round, come
+#       to the temperature of the mixture; a reaction that asks for 24000 K does
+#       not take place at 100 K.
 #     - ignites: a gas that heats itself, A -> B with an activation temperature
 #       of 30000 K: when half of it is gone against the rate equation, with its
-#       order in the step, and the temperature at the end, also of one long step.
-#     - husk: char of constant diameter and no ash burns up where nothing drags at
-#       it: it is taken out at its leastDensity, not driven by the pressure
+#       order in the step, and the temperature at the end, also of one long
+#       step.
+#     - husk: char of constant diameter and no ash burns up where nothing drags
+#       at it: it is taken out at its leastDensity, not driven by the pressure
 #       gradient; without that entry an error, before anything is written.
 # ------------------------------------------------------------------------------
 """Reactions of the stability matrix."""
@@ -52,7 +53,8 @@ def at_once():
         exact = final_temperature(case)
         T = of.field(name, case.last(), "T").mean()
         Tp = cloud(case, case.last(), "T")
-        result(f"{name}.T", max(abs(T/exact - 1), abs(Tp/exact - 1).max()), 1e-5)
+        error = max(abs(T/exact - 1), abs(Tp/exact - 1).max())
+        result(f"{name}.T", error, 1e-5)
         result(f"{name}.oxygen", of.field(name, case.last(), "O2").max(), 1e-12)
 
 
@@ -78,7 +80,8 @@ def cold():
         exact = (C*gas + Cp*parcels)/(C + Cp)
         T = of.field(name, case.last(), "T").mean()
         Tp = cloud(case, case.last(), "T")
-        result(f"{name}.T", max(abs(T/exact - 1), abs(Tp/exact - 1).max()), 1e-5)
+        error = max(abs(T/exact - 1), abs(Tp/exact - 1).max())
+        result(f"{name}.T", error, 1e-5)
         result(f"{name}.burnt", of.field(name, case.last(), "CO2").max(), 1e-12)
 
 
