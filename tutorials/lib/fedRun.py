@@ -14,7 +14,8 @@ import re
 from functools import cached_property
 
 from tutorial import (
-    Run, clock_series, columns, newest, np, number, of, ranks, seconds)
+    Run, clock_series, columns, log_of, newest, np, number, of, ranks, runLog,
+    seconds)
 
 
 class FedRun(Run):
@@ -48,27 +49,13 @@ class FedRun(Run):
 
     def _by_reactions(self, name):
         """Total of a figure of reactions, as each step of the log has it."""
-        steps = self._steps_of_log(
+        steps = runLog.steps(
+            log_of(self.case),
             re.compile(rf"^reactions:.* {name}[ =:]*({of.NUMBER})", re.M))
         if not steps:
             return np.zeros(self.time.size)
         rate = np.interp(self.time, *zip(*steps.items()))
         return np.cumsum(rate*self.dt)
-
-    def _steps_of_log(self, pattern):
-        """A number of each step, by its time. A run that was interrupted ends
-        with half a step, and makes those after the last time written anew when
-        it goes on: the last stand."""
-        steps = {}
-        log = (self.case / "log.cghsFoam").read_text()
-        for step in log.split("\nTime = ")[1:]:
-            found = pattern.search(step)
-            if found:
-                time = float(step.split(None, 1)[0])
-                while steps and next(reversed(steps)) >= time:
-                    steps.popitem()
-                steps[time] = float(found[1])
-        return steps
 
     # Not all cases have these
 

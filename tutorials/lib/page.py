@@ -13,34 +13,11 @@ import sys
 
 from tutorial import np, of
 
-try:
-    import matplotlib
+from pageParts import (
+    COLOURS, GREY, as_table, can_plot, new_plot, pyplot, save)
 
-    matplotlib.use("Agg")
-    matplotlib.rcParams["legend.frameon"] = False
-    matplotlib.rcParams["legend.fontsize"] = 9
-    from matplotlib import pyplot
-except ImportError:
-    pyplot = None
-
-COLOURS = ("#1f5fa8", "#c8501e", "#3c8c46")
-GREY = "#777777"
-
-
-def can_plot():
-    """Says what is missing where it is."""
-    if not pyplot:
-        print("no plots, as python3 has no matplotlib; remedy: "
-              "apt-get install python3-matplotlib")
-    return bool(pyplot)
-
-
-def new_plot(x_label, y_label):
-    figure, axes = pyplot.subplots(figsize=(7, 3.6), layout="constrained")
-    axes.set_xlabel(x_label)
-    axes.set_ylabel(y_label)
-    axes.spines[["top", "right"]].set_visible(False)
-    return figure, axes
+# What the tutorials take from here, of other files
+__all__ = ("COLOURS", "GREY", "as_table", "can_plot", "new_plot")
 
 
 def band(axes, x, mean, error, colour, label=None, marker="o"):
@@ -48,11 +25,6 @@ def band(axes, x, mean, error, colour, label=None, marker="o"):
     axes.plot(x, mean, color=colour, marker=marker, ms=3, label=label)
     axes.fill_between(x, mean - error, mean + error, color=colour, alpha=0.2,
                       lw=0)
-
-
-def save(figure, path):
-    figure.savefig(path, dpi=130)
-    pyplot.close(figure)
 
 
 def image(folder, name, text, need="python3-matplotlib"):
@@ -66,15 +38,6 @@ def write_table(path, columns, fmt="%.8g"):
     """columns: names with their units, and values."""
     np.savetxt(path, np.column_stack(list(columns.values())), fmt=fmt,
                delimiter=",", header=",".join(columns), comments="")
-
-
-def as_table(rows, head=("", "", "")):
-    """Rows of texts: of the columns, all but the first and the last are numbers
-    and stand to the right."""
-    lines = ["| " + " | ".join(head) + " |",
-             "|---|" + "--:|" * (len(head) - 2) + "---|"]
-    lines += ["| " + " | ".join(row) + " |" for row in rows]
-    return "\n".join(lines)
 
 
 def checks_of(here, *cases):

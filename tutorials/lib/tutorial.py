@@ -37,6 +37,7 @@ except ImportError:
 PROJECT = Path(__file__).resolve().parents[2]
 sys.path.append(str(PROJECT / "tests" / "lib"))
 import cghsTest as of  # noqa: E402
+import runLog  # noqa: E402
 
 # Over so many blocks the statistical error of a mean is estimated, and the
 # largest of the estimates is taken: where a bed pulsates, blocks that are no
@@ -81,13 +82,7 @@ def series(case, folder):
         (Path(case) / "postProcessing" / folder).glob("*/*.dat"),
         key=lambda path: path.stat().st_mtime,
     )
-    rows = np.empty((0, 0))
-    for path in files:
-        new = of.table(path)
-        if not new.size:
-            continue
-        old = rows[rows[:, 0] < new[0, 0]] if rows.size else new[:0]
-        rows = np.vstack([old, new])
+    rows = of.joined(files)
     if not rows.size:
         stop(f"{case} has no table of {folder}: run ./Allrun first")
     return rows
@@ -141,32 +136,24 @@ def ratio_of(above, below):
 # The run itself
 
 
+def log_of(case):
+    return (Path(case) / "log.cghsFoam").read_text()
+
+
 def seconds(case, kind="ClockTime"):
     """What the solver has taken, over all its starts: ClockTime as on the wall,
     ExecutionTime of the processor [s]."""
-    text = (Path(case) / "log.cghsFoam").read_text()
-    return sum(
-        float(part.rsplit(f"{kind} = ", 1)[1].split()[0])
-        for part in text.split("Starting time loop")[1:]
-        if f"{kind} = " in part
-    )
+    return runLog.seconds(log_of(case), kind)
 
 
 def clock_series(case, kind="ClockTime"):
     """Simulated times, and what the solver had taken up to them over all its
     starts, as above [s]."""
-    text = (Path(case) / "log.cghsFoam").read_text()
-    steps = re.findall(
-        rf"^Time = (\S+)$(?:(?!^Time =).*\n)*?.*\b{kind} = (\S+)", text, re.M)
-    time, spent = np.array(steps, float).reshape(-1, 2).T
-    again = np.diff(spent, prepend=0)
-    again[again < 0] = spent[again < 0]
-    return time, np.cumsum(again)
+    return runLog.clock_series(log_of(case), kind)
 
 
 def ranks(case):
-    text = (Path(case) / "log.cghsFoam").read_text()
-    return int(re.search(r"nProcs\s*:\s*(\d+)", text)[1])
+    return runLog.ranks(log_of(case))
 
 
 class Run:

@@ -35,9 +35,6 @@ BLOCKS = (10, 6)
 ALIKE = 0.3     # correlation of neighbouring blocks: independent ones have
                 # -0.1 +- 0.3 in one series, less scatter in a profile
 
-# Student's t for 68.3 % within +- t, by degrees of freedom; then 1
-T68 = (1.84, 1.32, 1.20, 1.14, 1.11, 1.09, 1.08, 1.07, 1.06, 1.05)
-
 
 @dataclass
 class Window:
@@ -108,12 +105,33 @@ def judge(values, dt=1.0):
                   max(2*tau*LEAST, 0 if enough else 1.5*length))
 
 
-def mean_of_replicas(values):
+def student_t(share, freedom):
+    """Within +- t of zero is that share of Student's distribution with so many
+    degrees of freedom, a fraction if need be; infinite with none."""
+    if not freedom > 0:
+        return np.inf
+    # Of t = root(freedom) tan(a) the density is cos(a)^(freedom - 1)
+    angle = np.linspace(0, np.pi/2, 20001)
+    density = np.cos(angle)**(freedom - 1)
+    if freedom < 1:
+        # Infinite, but integrable, at the end
+        density[-1] = density[-2]
+    within = np.r_[0, np.cumsum(0.5*(density[1:] + density[:-1]))]
+    end = np.interp(share, within/within[-1], angle)
+    return float(np.sqrt(freedom)*np.tan(end))
+
+
+def spread_of_replicas(values):
     """Mean over runs that differ by chance alone, the first index, and its
-    error with 68 % confidence by Student's t."""
+    standard error, which n - 1 degrees of freedom belong to."""
     values = np.asarray(values, float)
     n = len(values)
     if n < 2:
         raise ValueError("one replica alone has no error: run two or more")
-    t = T68[n - 2] if n - 2 < len(T68) else 1.0
-    return values.mean(axis=0), t*values.std(axis=0, ddof=1)/np.sqrt(n)
+    return values.mean(axis=0), values.std(axis=0, ddof=1)/np.sqrt(n)
+
+
+def mean_of_replicas(values):
+    """The same with the error for 68 % confidence by Student's t."""
+    mean, error = spread_of_replicas(values)
+    return mean, student_t(0.6827, len(values) - 1)*error
