@@ -1,0 +1,1 @@
+"""Errors of simulations against the time that they take."""

@@ -1,0 +1,136 @@
+# ------------------------------------------------------------------------------
+# cghsFoam: coarse-grained hard-sphere fluidised beds for OpenFOAM
+# Licence: GPL-3.0-or-later, see the file LICENSE
+#
+# Description
+#     What a study recommends, in sentences. A variant keeps an error if the
+#     estimate and its 95 % interval are below it. One whose estimate is, but
+#     whose interval is not, may keep it; that is said, too, and never more.
+# ------------------------------------------------------------------------------
+"""Plain sentences."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+
+def percent(share):
+    return f"{100*share:.2g} %"
+
+
+def times(ratio):
+    """A ratio of speeds in words."""
+    if not np.isfinite(ratio):
+        return "at a cost that is not known"
+    if ratio >= 1:
+        return f"{ratio:.2g} times faster than" if ratio < 99.5 else (
+            f"{ratio:.0f} times faster than")
+    return f"{1/ratio:.2g} times slower than"
+
+
+@dataclass
+class Choice:
+    """Of a threshold."""
+    certain: object = None      # cheapest that keeps it for sure
+    likely: object = None       # cheapest that may
+    best: object = None         # that of the least error, whatever it is
+
+
+def choose(results, quantities, threshold):
+    """Among all but the reference."""
+    made = Choice()
+    found = [(outcome, [outcome.comparisons[q.name] for q in quantities])
+             for outcome in results.candidates(quantities)]
+    found = [(o, c) for o, c in found
+             if all(np.isfinite(x.error) for x in c)]
+    for outcome, comparisons in sorted(found, key=lambda f: f[0].processor):
+        if all(c.bound() <= threshold for c in comparisons):
+            made.certain = made.certain or outcome
+        elif all(abs(c.error) <= threshold for c in comparisons):
+            made.likely = made.likely or outcome
+    if found:
+        made.best = min(found, key=lambda f: max(
+            c.seen() if np.isfinite(c.noise) else abs(c.error)
+            for c in f[1]))[0]
+    return made
+
+
+class Sentences:
+    """Of a study's results."""
+
+    def __init__(self, results):
+        self.results, self.study = results, results.study
+
+    def all(self):
+        """By quantity, then for all of them at once: lists of sentences."""
+        groups = {q.label: [q] for q in self.study.quantities}
+        if len(groups) > 1:
+            groups["all quantities at once"] = self.study.quantities
+        return {label: [self.sentence(label, quantities, 0.01*t)
+                        for t in self.study.thresholds]
+                for label, quantities in groups.items()}
+
+    def sentence(self, label, quantities, threshold):
+        choice = choose(self.results, quantities, threshold)
+        aim = f"For {percent(threshold)} error in {label}"
+        if choice.best is None:
+            return f"{aim} nothing can be said: {self._why_not(quantities)}."
+        likely = self._likely(choice, quantities, threshold)
+        if choice.certain:
+            return (f"{aim} use {self._what(choice.certain)}"
+                    f" ({self._errors(choice.certain, quantities)}).{likely}")
+        best = choice.best
+        instead = ("use the reference" if self.study.reference
+                   else "refine further")
+        if choice.likely:
+            return (f"{aim} no variant is certain to do: noise is too large to"
+                    f" tell.{likely} More replicas or longer windows would"
+                    f" tell; until then {instead}.")
+        return (f"{aim} no variant will do: {self._best(best, quantities)}."
+                f" Else {instead}.")
+
+    def _why_not(self, quantities):
+        results = self.results
+        if any(q.name not in results.reference.estimates for q in quantities):
+            return "the reference has no value yet"
+        if results.candidates(quantities):
+            return "the reference is zero; give the quantity a 'scale'"
+        return "no variant has run to its end"
+
+    def _what(self, outcome):
+        ratio = self.results.speed_ratio(outcome)
+        base = self.results.slowest_name()
+        speed = (times(ratio) + (f" {base}" if np.isfinite(ratio) else ""))
+        if base == "the slowest variant" and ratio == 1:
+            speed = "itself the slowest variant"
+        return f"{self.study.describe(outcome.name)}: {speed}"
+
+    def _errors(self, outcome, quantities):
+        """'error 1.2 ± 0.3 %'; of several the worst."""
+        worst = max((outcome.comparisons[q.name] for q in quantities),
+                    key=lambda c: c.bound())
+        if not worst.noise > 0:
+            return f"error {percent(abs(worst.error))}"
+        return (f"error {percent(abs(worst.error))}, at most"
+                f" {percent(worst.bound())} with 95 % confidence")
+
+    def _likely(self, choice, quantities, threshold):
+        """Of one that may keep it, if that is cheaper than what does."""
+        likely = choice.likely
+        if likely is None or (choice.certain and likely.processor
+                              > choice.certain.processor):
+            return ""
+        worst = max((likely.comparisons[q.name] for q in quantities),
+                    key=lambda c: c.bound())
+        known = (f"only {percent(worst.bound())} can be vouched for"
+                 if np.isfinite(worst.bound()) else "its noise is not known")
+        return (f" {self._what(likely)} may do: its error is estimated at"
+                f" {percent(abs(worst.error))}, but {known}.")
+
+    def _best(self, outcome, quantities):
+        worst = max((outcome.comparisons[q.name] for q in quantities),
+                    key=lambda c: abs(c.error))
+        noise = (f" ± {percent(worst.noise)}" if worst.noise > 0 else "")
+        return (f"the least error is that of"
+                f" {self.study.describe(outcome.name)},"
+                f" {percent(abs(worst.error))}{noise}")

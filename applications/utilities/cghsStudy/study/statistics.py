@@ -1,0 +1,174 @@
+# ------------------------------------------------------------------------------
+# cghsFoam: coarse-grained hard-sphere fluidised beds for OpenFOAM
+# Licence: GPL-3.0-or-later, see the file LICENSE
+#
+# Description
+#     Systematic error told apart from noise.
+#
+#     A quantity has an estimate in each variant: a value and its standard
+#     error, over replicas (runs that differ by chance alone) if there are two
+#     or more, else by the correlation time within the window of the one run.
+#     Degrees of freedom go with it, as two replicas know their spread badly.
+#
+#     The bias of a variant is its value less the reference's. Its standard
+#     error is both of theirs together, with degrees of freedom by Welch and
+#     Satterthwaite. It is told from zero if it is outside what chance would
+#     make of no bias in 95 of 100 studies (Student's t). All of a share: of the
+#     reference's value, or of the scale that the dictionary gives.
+#
+#     A profile has one number, too: the root of the mean square along it of the
+#     difference, over the reference's range (or mean). Noise alone makes one of
+#     N > 0, the same of the standard errors; its square adds to that of the
+#     bias, so the estimate is the root of what exceeds N^2. Whatever the points
+#     of a profile know of each other, the difference exceeds t N by chance in 5
+#     of 100 studies at most: as often as a scalar, if they move as one, else
+#     less.
+# ------------------------------------------------------------------------------
+"""Estimates, biases, and what their noise is."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+import windows
+
+CONFIDENCE = 0.95
+ROUND_OFF = 1e-12
+
+
+@dataclass
+class Estimate:
+    """Of a quantity in a variant. An error of nan is one that nothing tells."""
+    value: object
+    error: object
+    freedom: float
+    source: str             # of the error
+    notes: tuple = ()
+    coordinate: object = None
+    enough: bool = True
+
+    def number(self):
+        """Of a profile its mean."""
+        return float(np.mean(self.value))
+
+    def noise(self):
+        """Of a profile the root mean square of the errors."""
+        return float(np.sqrt(np.mean(np.square(self.error))))
+
+
+@dataclass
+class Comparison:
+    """Shares of the reference. error: the estimate of the bias, for a profile
+    without its sign; noise: its standard error."""
+    error: float
+    noise: float
+    freedom: float
+    distinct: bool          # from zero
+    scale: float            # what the shares are of
+
+    def t(self):
+        return windows.student_t(CONFIDENCE, min(self.freedom, 1000))
+
+    def bound(self):
+        """What the error is below with 95 % confidence."""
+        spread = self.t()*self.noise if self.noise > 0 else self.noise
+        return abs(self.error) + spread
+
+    def seen(self):
+        """An error is not known to be less than its noise."""
+        return max(abs(self.error), self.noise)
+
+
+def same_points(measurements):
+    """Profiles on the coordinate of the first."""
+    first = measurements[0].coordinate
+    if first is None:
+        return [m.value for m in measurements]
+    return [np.interp(first, m.coordinate, m.value) for m in measurements]
+
+
+def over_replicas(measurements, deterministic=False):
+    """The estimate from one run or more."""
+    first = measurements[0]
+    notes = tuple(f"replica {i}: {m.note}" for i, m in
+                  enumerate(measurements, 1) if not m.enough)
+    if deterministic:
+        return Estimate(first.value, 0*first.value, np.inf, "deterministic",
+                        (), first.coordinate)
+    if len(measurements) == 1:
+        known = np.all(np.isfinite(first.error))
+        return Estimate(
+            first.value, first.error, first.freedom,
+            "correlation time" if known else "unknown: one replica", notes,
+            first.coordinate, first.enough)
+    mean, error = windows.spread_of_replicas(same_points(measurements))
+    return Estimate(mean, error, len(measurements) - 1,
+                    f"{len(measurements)} replicas", notes, first.coordinate,
+                    all(m.enough for m in measurements))
+
+
+def welch(one, freedom_one, other, freedom_other):
+    """Degrees of freedom of a difference, from both standard errors."""
+    below = sum(e**4/f for e, f in ((one, freedom_one), (other, freedom_other))
+                if e > 0)
+    return (one**2 + other**2)**2/below if below > 0 else np.inf
+
+
+def compare(estimate, reference, quantity):
+    """Of a variant with the reference."""
+    if estimate.coordinate is not None:
+        return compare_profiles(estimate, reference, quantity)
+    bias = estimate.value - reference.value
+    noise = float(np.hypot(estimate.error, reference.error))
+    return judged(bias, bias, noise, estimate, reference,
+                  quantity.scale or abs(reference.value))
+
+
+def compare_profiles(estimate, reference, quantity):
+    x = reference.coordinate
+    value, error = (np.interp(x, estimate.coordinate, y)
+                    for y in (estimate.value, estimate.error))
+    noise2 = along(x, error**2 + np.square(reference.error))
+    difference2 = along(x, (value - reference.value)**2)
+    excess = np.sqrt(max(difference2 - noise2, 0)) if (
+        np.isfinite(noise2)) else np.sqrt(difference2)
+    scale = quantity.scale or (
+        np.ptp(reference.value) if quantity.relative_to == "range"
+        else abs(reference.value.mean()))
+    return judged(np.sqrt(difference2), excess, np.sqrt(noise2), estimate,
+                  reference, scale)
+
+
+def along(x, values):
+    """Mean along a coordinate; a point counts for what is nearest to it."""
+    width = np.gradient(x) if x.size > 1 else np.ones(1)
+    return float((values*width).sum()/width.sum())
+
+
+def judged(found, error, noise, estimate, reference, scale):
+    """found: the difference that there is; error: what of it is systematic."""
+    freedom = welch(estimate.noise(), estimate.freedom,
+                    reference.noise(), reference.freedom)
+    made = Comparison(error, noise, freedom, False, scale)
+    limit = made.t()*noise if noise > 0 else ROUND_OFF*abs(scale)
+    made.distinct = bool(np.isfinite(noise) and abs(found) > limit)
+    if not scale > 0:
+        made.error = made.noise = np.nan
+    else:
+        made.error, made.noise = error/scale, noise/scale
+    return made
+
+
+# Work and precision
+
+
+def pareto_front(points):
+    """Names of those (name: cost, error) that nothing else is both cheaper than
+    and better, the cheapest first."""
+    front, best = [], np.inf
+    for name, (_, error) in sorted(points.items(),
+                                   key=lambda p: (p[1][0], p[1][1])):
+        if error < best:
+            front.append(name)
+            best = error
+    return front
