@@ -116,7 +116,7 @@ class Results:
             if name in outcome.estimates and name in self.reference.estimates:
                 outcome.comparisons[name] = compare(
                     outcome.estimates[name], self.reference.estimates[name],
-                    quantity)
+                    quantity, self.study.paired)
 
     # What follows
 

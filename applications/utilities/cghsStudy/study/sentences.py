@@ -28,6 +28,12 @@ def times(ratio):
     return f"{1/ratio:.2g} times slower than"
 
 
+def listed(words):
+    """'1, 5 or 10'."""
+    head, last = words[:-1], words[-1]
+    return f"{', '.join(head)} or {last}" if head else last
+
+
 @dataclass
 class Choice:
     """Of a threshold."""
@@ -66,27 +72,35 @@ class Sentences:
         groups = {q.label: [q] for q in self.study.quantities}
         if len(groups) > 1:
             groups["all quantities at once"] = self.study.quantities
-        return {label: [self.sentence(label, quantities, 0.01*t)
-                        for t in self.study.thresholds]
+        return {label: self.of_group(label, quantities)
                 for label, quantities in groups.items()}
 
-    def sentence(self, label, quantities, threshold):
+    def of_group(self, label, quantities):
+        """Errors for which the same is to be said share a sentence."""
+        same = {}
+        for threshold in self.study.thresholds:
+            said = self.sentence(quantities, 0.01*threshold)
+            same.setdefault(said, []).append(f"{threshold:g}")
+        return [f"For {listed(numbers)} % error in {label} {said}"
+                for said, numbers in same.items()]
+
+    def sentence(self, quantities, threshold):
+        """What follows 'For 5 % error in pressure drop'."""
         choice = choose(self.results, quantities, threshold)
-        aim = f"For {percent(threshold)} error in {label}"
         if choice.best is None:
-            return f"{aim} nothing can be said: {self._why_not(quantities)}."
-        likely = self._likely(choice, quantities, threshold)
+            return f"nothing can be said: {self._why_not(quantities)}."
+        likely = self._likely(choice, quantities)
         if choice.certain:
-            return (f"{aim} use {self._what(choice.certain)}"
+            return (f"use {self._what(choice.certain)}"
                     f" ({self._errors(choice.certain, quantities)}).{likely}")
         best = choice.best
         instead = ("use the reference" if self.study.reference
                    else "refine further")
         if choice.likely:
-            return (f"{aim} no variant is certain to do: noise is too large to"
-                    f" tell.{likely} More replicas or longer windows would"
-                    f" tell; until then {instead}.")
-        return (f"{aim} no variant will do: {self._best(best, quantities)}."
+            return (f"no variant is certain to do: noise is too large to tell."
+                    f"{likely} More replicas or longer windows would tell;"
+                    f" until then {instead}.")
+        return (f"no variant will do: {self._best(best, quantities)}."
                 f" Else {instead}.")
 
     def _why_not(self, quantities):
@@ -114,7 +128,7 @@ class Sentences:
         return (f"error {percent(abs(worst.error))}, at most"
                 f" {percent(worst.bound())} with 95 % confidence")
 
-    def _likely(self, choice, quantities, threshold):
+    def _likely(self, choice, quantities):
         """Of one that may keep it, if that is cheaper than what does."""
         likely = choice.likely
         if likely is None or (choice.certain and likely.processor

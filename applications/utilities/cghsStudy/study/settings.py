@@ -70,7 +70,7 @@ class Study:
 
     def _read_replicas(self, block):
         """How many; what makes them differ. One needs no seed."""
-        self.replicas, self.seeds = 1, None
+        self.replicas, self.seeds, self.paired = 1, None, False
         if not block.has("replicas"):
             return
         if not block.is_block("replicas"):
@@ -83,6 +83,7 @@ class Study:
             return
         inner = block.block("replicas")
         self.replicas = inner.count("number")
+        self.paired = inner.switch("paired", False)
         self.seeds = Knob("seed", SeedBlock(inner, self.replicas))
 
     # What follows
@@ -137,7 +138,7 @@ class SeedBlock(Block):
     def __init__(self, block, n):
         super().__init__(block.text, block.file, block.entries, block.path)
         self.n = n
-        self.has("number")
+        self.asked = block.asked
 
     def is_block(self, name):
         return name != "values" and super().is_block(name)

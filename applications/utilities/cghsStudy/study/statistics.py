@@ -16,6 +16,10 @@
 #     make of no bias in 95 of 100 studies (Student's t). All of a share: of the
 #     reference's value, or of the scale that the dictionary gives.
 #
+#     Replicas of variant and reference that share a seed may be held against
+#     each other one by one ('paired'): what their starts do to both drops out.
+#     In a bed that has forgotten its start nothing is gained.
+#
 #     A profile has one number, too: the root of the mean square along it of the
 #     difference, over the reference's range (or mean). Noise alone makes one of
 #     N > 0, the same of the standard errors; its square adds to that of the
@@ -46,6 +50,7 @@ class Estimate:
     notes: tuple = ()
     coordinate: object = None
     enough: bool = True
+    replicas: tuple = ()    # the value in each
 
     def number(self):
         """Of a profile its mean."""
@@ -101,10 +106,11 @@ def over_replicas(measurements, deterministic=False):
             first.value, first.error, first.freedom,
             "correlation time" if known else "unknown: one replica", notes,
             first.coordinate, first.enough)
-    mean, error = windows.spread_of_replicas(same_points(measurements))
-    return Estimate(mean, error, len(measurements) - 1,
-                    f"{len(measurements)} replicas", notes, first.coordinate,
-                    all(m.enough for m in measurements))
+    values = same_points(measurements)
+    mean, error = windows.spread_of_replicas(values)
+    return Estimate(mean, error, len(values) - 1, f"{len(values)} replicas",
+                    notes, first.coordinate,
+                    all(m.enough for m in measurements), tuple(values))
 
 
 def welch(one, freedom_one, other, freedom_other):
@@ -114,29 +120,47 @@ def welch(one, freedom_one, other, freedom_other):
     return (one**2 + other**2)**2/below if below > 0 else np.inf
 
 
-def compare(estimate, reference, quantity):
+def difference(estimate, reference):
+    """Of two estimates that chance has made independent, on the points of the
+    reference."""
+    value, error, x = estimate.value, estimate.error, reference.coordinate
+    if x is not None:
+        value, error = (np.interp(x, estimate.coordinate, y)
+                        for y in (value, error))
+    freedom = welch(estimate.noise(), estimate.freedom,
+                    reference.noise(), reference.freedom)
+    return Estimate(value - reference.value,
+                    np.hypot(error, reference.error), freedom, "both")
+
+
+def paired_difference(estimate, reference):
+    """Of two whose replicas have the same chance, one by one: what they share
+    drops out."""
+    x, found = reference.coordinate, estimate.replicas
+    if x is not None:
+        found = [np.interp(x, estimate.coordinate, v) for v in found]
+    pairs = [v - v0 for v, v0 in zip(found, reference.replicas)]
+    value, error = windows.spread_of_replicas(pairs)
+    return Estimate(value, error, len(pairs) - 1, "pairs")
+
+
+def compare(estimate, reference, quantity, paired=False):
     """Of a variant with the reference."""
-    if estimate.coordinate is not None:
-        return compare_profiles(estimate, reference, quantity)
-    bias = estimate.value - reference.value
-    noise = float(np.hypot(estimate.error, reference.error))
-    return judged(bias, bias, noise, estimate, reference,
-                  quantity.scale or abs(reference.value))
-
-
-def compare_profiles(estimate, reference, quantity):
+    paired = paired and len(estimate.replicas) == len(reference.replicas) > 1
+    found = (paired_difference if paired else difference)(estimate, reference)
+    if reference.coordinate is None:
+        scale = quantity.scale or abs(reference.value)
+        return judged(found.value, found.value, float(found.error),
+                      found.freedom, scale)
     x = reference.coordinate
-    value, error = (np.interp(x, estimate.coordinate, y)
-                    for y in (estimate.value, estimate.error))
-    noise2 = along(x, error**2 + np.square(reference.error))
-    difference2 = along(x, (value - reference.value)**2)
-    excess = np.sqrt(max(difference2 - noise2, 0)) if (
-        np.isfinite(noise2)) else np.sqrt(difference2)
+    noise2 = along(x, np.square(found.error))
+    whole2 = along(x, np.square(found.value))
+    excess2 = max(whole2 - noise2, 0) if np.isfinite(noise2) else whole2
     scale = quantity.scale or (
         np.ptp(reference.value) if quantity.relative_to == "range"
-        else abs(reference.value.mean()))
-    return judged(np.sqrt(difference2), excess, np.sqrt(noise2), estimate,
-                  reference, scale)
+        else abs(along(x, reference.value)))
+    return judged(np.sqrt(whole2), np.sqrt(excess2), np.sqrt(noise2),
+                  found.freedom, scale)
 
 
 def along(x, values):
@@ -145,10 +169,8 @@ def along(x, values):
     return float((values*width).sum()/width.sum())
 
 
-def judged(found, error, noise, estimate, reference, scale):
+def judged(found, error, noise, freedom, scale):
     """found: the difference that there is; error: what of it is systematic."""
-    freedom = welch(estimate.noise(), estimate.freedom,
-                    reference.noise(), reference.freedom)
     made = Comparison(error, noise, freedom, False, scale)
     limit = made.t()*noise if noise > 0 else ROUND_OFF*abs(scale)
     made.distinct = bool(np.isfinite(noise) and abs(found) > limit)
