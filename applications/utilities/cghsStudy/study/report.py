@@ -14,7 +14,7 @@ import numpy as np
 
 from pageParts import as_table
 from study.plots import draw
-from study.results import short_windows
+from study.results import short_windows, worst
 from study.sentences import Sentences, percent
 
 COLUMNS = (
@@ -209,14 +209,21 @@ class Report:
         return f"![error over processor time]({self.drawn[name]})"
 
     def windows(self):
-        lines = [f"- `{variant}`, {name}: {note}."
-                 + ("" if "replicas" not in estimate.source else
-                    " Its error is that over replicas, which a short window"
-                    " does not spoil; the mean may still remember the start.")
-                 for variant, name, estimate, note
-                 in short_windows(self.results)]
-        return "\n".join(lines) or "All windows are long enough for their" \
-            " correlation times."
+        """One line for each quantity, with the window that needs most."""
+        found = {}
+        for name, variant, note in short_windows(self.results):
+            found.setdefault(name, {})[f"`{variant}`, {note}"] = variant
+        if not found:
+            return ("All windows are long enough for their correlation times,"
+                    " as far as these are known.")
+        lines = [f"- {name}: too short in"
+                 f" {', '.join(dict.fromkeys(notes.values()))}. Most is needed"
+                 f" in {worst(notes)}." for name, notes in found.items()]
+        lines.append(
+            "\nErrors by correlation time may be larger there than they say."
+            " Errors over replicas do not mind, but means may still remember"
+            " the start.")
+        return "\n".join(lines)
 
 
 READING = """\

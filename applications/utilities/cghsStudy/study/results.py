@@ -16,7 +16,7 @@ import numpy as np
 
 import runLog
 from study.quantities import NotMeasured
-from study.runFolder import FINISHED, RunFolder
+from study.runFolder import FAILED, FINISHED, RunFolder
 from study.statistics import Estimate, compare, over_replicas, pareto_front
 
 DATA = "the data"   # the name of a reference from a file
@@ -46,8 +46,9 @@ class Outcome:
         return list(dict.fromkeys(found))
 
     def is_usable(self, quantities):
-        """A variant that fails in one of its replicas cannot be relied upon."""
-        return (self.finished() == len(self.states)
+        """A variant that fails in one of its replicas cannot be relied upon;
+        one of which some are still to be run can, by the others."""
+        return (all(state != FAILED for state, _ in self.states)
                 and all(q.name in self.comparisons for q in quantities))
 
 
@@ -177,12 +178,12 @@ def from_data(data, quantity):
 
 
 def short_windows(results):
-    """Sentences on windows that cannot tell their errors, by variant and
-    quantity."""
+    """Windows that cannot tell their errors: quantity, variant, why."""
     for outcome in results.outcomes.values():
         for name, estimate in outcome.estimates.items():
             if not estimate.enough:
-                yield outcome.name, name, estimate, worst(estimate.notes)
+                for note in estimate.notes:
+                    yield name, outcome.name, note
 
 
 def worst(notes):
@@ -190,4 +191,4 @@ def worst(notes):
     def needed(note):
         found = re.search(r"at least ([\d.e+-]+) s", note)
         return float(found[1]) if found else 0
-    return max(notes, key=needed, default="")
+    return max(notes, key=needed)

@@ -40,6 +40,7 @@ class Choice:
     certain: object = None      # cheapest that keeps it for sure
     likely: object = None       # cheapest that may
     best: object = None         # that of the least error, whatever it is
+    hidden: bool = False        # may the noise of one hide that it keeps it?
 
 
 def choose(results, quantities, threshold):
@@ -54,6 +55,7 @@ def choose(results, quantities, threshold):
             made.certain = made.certain or outcome
         elif all(abs(c.error) <= threshold for c in comparisons):
             made.likely = made.likely or outcome
+        made.hidden |= not any(c.least() > threshold for c in comparisons)
     if found:
         made.best = min(found, key=lambda f: max(
             c.seen() if np.isfinite(c.noise) else abs(c.error)
@@ -100,8 +102,10 @@ class Sentences:
             return (f"no variant is certain to do: noise is too large to tell."
                     f"{likely} More replicas or longer windows would tell;"
                     f" until then {instead}.")
-        return (f"no variant will do: {self._best(best, quantities)}."
-                f" Else {instead}.")
+        verdict = ("is known to do, though noise may hide one that does"
+                   if choice.hidden else "will do")
+        return (f"no variant {verdict}: {self._best(best, quantities)}."
+                f" So {instead}.")
 
     def _why_not(self, quantities):
         results = self.results

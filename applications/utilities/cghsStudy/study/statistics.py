@@ -79,6 +79,11 @@ class Comparison:
         spread = self.t()*self.noise if self.noise > 0 else self.noise
         return abs(self.error) + spread
 
+    def least(self):
+        """What the error is above with 95 % confidence."""
+        return abs(self.error) - self.t()*self.noise if (
+            self.noise > 0) else abs(self.error)
+
     def seen(self):
         """An error is not known to be less than its noise."""
         return max(abs(self.error), self.noise)
