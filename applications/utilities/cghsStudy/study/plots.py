@@ -13,6 +13,11 @@ import numpy as np
 
 from pageParts import COLOURS, GREY, can_plot, pyplot, save
 
+try:
+    from matplotlib.ticker import LogLocator
+except ImportError:
+    pass    # can_plot() says so
+
 SMALLEST = 1e-6     # an error of nothing is drawn there [-]
 MANY = 14           # variants whose names do not crowd a plot
 
@@ -48,12 +53,23 @@ def draw_plot(results, quantities, label, path):
     draw_front(axes, [points[name] for name in front])
     for name in points:
         draw_point(axes, results.outcomes[name], points[name], quantities)
-        if len(points) <= MANY or name in front:
-            axes.annotate(name, place(points[name]), (6, 5), fontsize=8,
-                          textcoords="offset points")
+    write_names(axes, {name: place(point) for name, point in points.items()
+                       if len(points) <= MANY or name in front})
     decorate(axes, results, points, label)
     save(figure, path)
     return True
+
+
+def write_names(axes, places):
+    """Beside their points; of neighbours that would cover each other's one
+    after the other goes a line lower."""
+    last, lower = None, 0
+    for name, at in sorted(places.items(), key=lambda p: p[1]):
+        near = last and np.all(abs(np.log(np.divide(at, last))) < 0.2)
+        lower = lower + 1 if near else 0
+        axes.annotate(name, at, (7, 5 - 11*lower), fontsize=8,
+                      textcoords="offset points")
+        last = at
 
 
 def place(point):
@@ -82,11 +98,15 @@ def draw_point(axes, outcome, point, quantities):
 
 
 def decorate(axes, results, points, label):
-    axes.set_xscale("log")
-    axes.set_yscale("log")
+    for axis, scale in ((axes.xaxis, axes.set_xscale),
+                        (axes.yaxis, axes.set_yscale)):
+        scale("log")
+        axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+        axis.set_major_formatter("{x:g}")
+        axis.set_minor_formatter("")
     axes.set_xlabel("processor seconds for a simulated second")
     axes.set_ylabel(f"error in {label} (%)")
-    axes.grid(which="both", color="k", alpha=0.08, lw=0.6)
+    axes.grid(color="k", alpha=0.08, lw=0.6)
     cost = results.reference.processor
     if np.isfinite(cost):
         axes.axvline(cost, color=GREY, lw=1, ls=":", label="reference")
