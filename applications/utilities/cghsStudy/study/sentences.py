@@ -99,9 +99,12 @@ class Sentences:
         instead = ("use the reference" if self.study.reference
                    else "refine further")
         if choice.likely:
-            return (f"no variant is certain to do: noise is too large to tell."
-                    f"{likely} More replicas or longer windows would tell;"
-                    f" until then {instead}.")
+            known = all(np.isfinite(choice.likely.comparisons[q.name].noise)
+                        for q in quantities)
+            why = "is too large to tell" if known else "is not known"
+            return (f"no variant is certain to do: noise {why}.{likely} More"
+                    " replicas or longer windows would tell; until then"
+                    f" {instead}.")
         verdict = ("is known to do, though noise may hide one that does"
                    if choice.hidden else "will do")
         return (f"no variant {verdict}: {self._best(best, quantities)}."

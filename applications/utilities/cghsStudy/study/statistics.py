@@ -81,8 +81,10 @@ class Comparison:
 
     def least(self):
         """What the error is above with 95 % confidence."""
-        return abs(self.error) - self.t()*self.noise if (
-            self.noise > 0) else abs(self.error)
+        if not np.isfinite(self.noise):
+            return 0.0
+        spread = self.t()*self.noise if self.noise > 0 else 0.0
+        return max(abs(self.error) - spread, 0.0)
 
     def seen(self):
         """An error is not known to be less than its noise."""
