@@ -13,7 +13,7 @@ import time
 from pathlib import Path
 
 from study.report import Report
-from study.results import Results
+from study.results import Results, from_data
 from study.runFolder import FAILED, FINISHED, RunFolder
 from study.runner import Runner, say
 from study.settings import Study
@@ -88,8 +88,11 @@ def show_runs(study):
 
 
 def check_inputs(study):
-    """All that is wrong with entries of the case is said before anything is
-    run."""
+    """All that is wrong with entries of the case, and of data, is said before
+    anything is run."""
+    if study.data is not None:
+        for quantity in study.quantities:
+            from_data(study.data, quantity)
     for variant, replica in study.pairs():
         RunFolder(study, variant, replica).state()
 
