@@ -8,12 +8,10 @@
 """Plots of the reactor."""
 
 from lowerEnd import RADIUS, TUBE_END
-from mtoRun import LIGHT
+from mtoRun import BLOCK, LIGHT
+from mto import PEAK
 from page import COLOURS, GREY, draw_parcels, new_plot, pyplot, save
 from tutorial import np, of
-
-# 4.2.3: coke of most catalyst after 8 h, by mass [%]
-PEAK = 7.5
 
 
 def plot_coke(run, results):
@@ -25,9 +23,10 @@ def plot_coke(run, results):
 
 def plot_products(run, results):
     time, Y = run.products()
-    figure, axes = new_plot("time (s)", "in the gas that leaves, by mass (%)")
+    figure, axes = new_plot(
+        "time (s)", f"in the gas that leaves, by mass, mean of {BLOCK} s (%)")
     for name in ("MeOH", *LIGHT):
-        axes.plot(time, 100*Y[name], label=name)
+        axes.plot(time, 100*Y[name], label=name, marker=".", ms=3)
     axes.legend()
     save(figure, results/"products.png")
 
@@ -44,8 +43,7 @@ def plot_height(run, results):
 
 def shown_frames(run):
     """Those written nearest to the start, 0.5, 1, 2, 4 and 8 h."""
-    near = {min(run.frames, key=lambda f: abs(run.hours(f) - hour))
-            for hour in (0, 0.5, 1, 2, 4, 8)}
+    near = {run.near(hour) for hour in (0, 0.5, 1, 2, 4, 8)}
     return sorted(near, key=float)
 
 

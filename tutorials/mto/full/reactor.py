@@ -19,15 +19,12 @@ sys.path += [str(PROJECT / "tutorials" / folder)
              for folder in ("lib", "mto/common")]
 from lowerEnd import TUBE_END, TUBE_RADIUS  # noqa: E402, F401
 from mtoRun import (  # noqa: E402, F401
-    AREA, BED_HEIGHT, CATALYST, GAS, INVENTORY, LIGHT, RADIUS, Reactor)
+    AREA, BED_HEIGHT, CATALYST, INVENTORY, RADIUS, RENEWED, Reactor)
 from tutorial import columns, np, of, ratio_of, seconds  # noqa: E402, F401
 
 # [m], as the script vessel has them
 WIDE_RADIUS, CONE, HEIGHT = 0.225, (1.02, 1.2), 2.04
 PIPE_RADIUS, PIPE_HEIGHT, PIPE_END = 0.03, 0.61, 0.15
-
-# [s] until the gas of the start has left: 0.2 m3 at 0.02 m3/s, and a bit
-RENEWED = 12
 
 
 def radius(z):
@@ -73,20 +70,10 @@ class WholeReactor(Reactor):
     def has_products(self):
         return self.window is not None and self.end > 1.25*RENEWED
 
-    def _late(self, time):
-        return time > max(self.window[0], RENEWED)
-
-    def light(self):
-        """Light olefins of the hydrocarbon gas, and the error of that [-]."""
-        time, Y = self.products()
-        inside = self._late(time)
-        return ratio_of(*(sum(Y[s][inside] for s in names)
-                          for names in (LIGHT, GAS)))
-
     def converted(self):
         """Of the methanol that enters, and the error of that [-]."""
         rows = columns(self.case, "balance")
-        inside = self._late(rows["time"])
+        inside = rows["time"] > self.late()
         left, error = ratio_of(rows["out(MeOH)"][inside],
                                rows["in(MeOH)"][inside])
         return 1 - left, error
