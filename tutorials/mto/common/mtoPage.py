@@ -76,6 +76,40 @@ def plot_distribution(run, results):
     save(figure, results/"distribution.png")
 
 
+def plot_ages(run, results):
+    """Residence times: ages of what leaves and of all, beside those of a bed
+    that is well mixed."""
+    figure, axes = new_plot("age by the slow clock (s)", "catalyst younger (%)")
+    _, age, mass = run.parcels_at(run.last())
+    order = np.argsort(age)
+    axes.plot(age[order], 100*np.cumsum(mass[order]), color=COLOURS[1], lw=1,
+              label="of all, at the end")
+    leaving = run.ages_of_leaving()
+    if leaving:
+        axes.plot(leaving[0], 100*leaving[1], color=COLOURS[0], marker=".",
+                  ms=3, label="of what leaves")
+    time = np.linspace(0, max(age.max(), 1e-9), 200)
+    axes.plot(time, 100*(1 - np.exp(-time/run.passing())), color=GREY, ls=":",
+              label="well mixed")
+    axes.legend()
+    save(figure, results/"ages.png")
+
+
+def age_rows(run):
+    """Of the page: how long catalyst stays."""
+    _, age, mass = run.parcels_at(run.last())
+    leaving = run.ages_of_leaving()
+    found = (f"{leaving[2]:.0f} ± {leaving[3]:.0f}" if leaving
+             else "none has been counted")
+    return [
+        ("age of what leaves, mean, by the slow clock", found, "s"),
+        ("of all at the end, by the slow clock",
+         f"{(mass*age).sum():.0f}", "s"),
+        ("inventory over feed, where both tend to", f"{run.passing():.0f}",
+         "s"),
+    ]
+
+
 def plot_parcels(run, results, height):
     """Those about the plane through the axis and the feed, by coke."""
     frames = shown_frames(run)

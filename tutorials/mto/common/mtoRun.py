@@ -13,7 +13,7 @@ import sys
 from fedRun import FedRun
 from lowerEnd import RADIUS
 from tutorial import (
-    PROJECT, columns, mean_of, np, of, option, ratio_of, series)
+    PROJECT, columns, mean_of, newest, np, of, option, ratio_of, series)
 
 sys.path.append(str(PROJECT / "tutorials" / "mto" / "0D"))
 from limits import peak  # noqa: E402
@@ -92,6 +92,21 @@ class Reactor(FedRun):
         """Coke of the fullest class of the catalyst [%]."""
         coke, _, mass = self.parcels_at(frame)
         return peak(coke, mass)
+
+    def passing(self):
+        """Time that catalyst stays: what there is over what is fed [s, by the
+        slow clock]."""
+        return (self.mean(self.mass)[0] if self.window else INVENTORY)/CATALYST
+
+    def ages_of_leaving(self):
+        """Of what leaves: upper ends of classes of age [s, by the slow clock],
+        the share that is younger, mean age and error. None before any has."""
+        rows = newest(self.case, "ageOfLeaving", "histogram")
+        if not rows or not np.sum(rows["share"]):
+            return None
+        mean, error, _ = self.leaving("ageOfLeaving")
+        ends = rows["x"] + 0.5*(rows["x"][1] - rows["x"][0])
+        return ends, rows["cumulative"], mean, error
 
     def coke(self):
         """Times and mean coke of the parcels [%]."""

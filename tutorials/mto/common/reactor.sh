@@ -43,7 +43,8 @@ slowClock()
 
 
 # The slow clock and the means from a time on, to the end, and how often it is
-# written: clockOptions FROM END INTERVAL
+# written: clockOptions FROM END INTERVAL. Ages of what leaves are those of the
+# second half, up to what the clock shows at the end.
 clockOptions()
 {
     echo "slowFactor      $factor;"
@@ -51,6 +52,9 @@ clockOptions()
     echo "averageFrom     $1;"
     echo "endTime         $2;"
     echo "writeInterval   $3;"
+    awk -v F="$factor" -v from="$1" -v end="$2" 'BEGIN {
+        printf("agesFrom        %.8g;\n", 0.5*(from + end))
+        printf("oldest          %.8g;\n", from + F*(end - from)) }'
     [ "$factor" -eq 1 ] || throughMouth
 }
 
