@@ -179,20 +179,21 @@ class FedRun(Run):
 
     # Checks that hold in any run
 
-    def check_solids(self, checks, tolerance=1e-9, raised=0):
+    def check_solids(self, checks, tolerance=1e-9, raised=0, who=""):
         """raised: in so many cells, mean of the run, voidage may lie at its
-        bound."""
-        checks.below("solids there and gone, less those fed and what they have "
+        bound. who: of several runs the name of this one and a colon."""
+        checks.below(f"{who}solids there and gone, less those fed and what they have "
                      "taken up, of those at the start [-]",
                      self.solids_defect(), tolerance,
                      "balance: none is lost, to the digits written")
         cells = self.parcels["clippedCells"]
         if raised:
-            checks.below("voidage raised to its bound, mean of the run [cells]",
+            checks.below(f"{who}voidage raised to its bound, mean of the run"
+                         " [cells]",
                          cells.mean(), raised,
                          "limit: 1 % of the bed's, where each counts its own")
         else:
-            checks.below("voidage raised to its bound, most cells [-]",
+            checks.below(f"{who}voidage raised to its bound, most cells [-]",
                          cells.max(), 0,
                          "random packing stays above the bound")
 

@@ -40,6 +40,9 @@ VOIDAGE = 0.4
 
 HOUR, DAY = 3600.0, 86400.0
 
+# A reactor is steady if its liquid stores less of what it takes up
+STEADY = 0.02
+
 
 # Eqs 103 to 106
 
@@ -98,6 +101,21 @@ class Reactor:
     def drained(self):
         """Liquid that leaves with the solids [kg/s]."""
         return self.solids/ORE*VOIDAGE/(1 - VOIDAGE)*LIQUID
+
+    def volume(self):
+        """Of the vessel: pipe, cone, column [m3]."""
+        return self.area*self.scale*(0.25*0.08 + 7/12*0.01 + 0.55)
+
+    def liquid_time(self):
+        """What the outlet needs to come e times nearer to its steady state: the
+        liquid there is over what leaves for good at the top [s]."""
+        return (LIQUID*(self.volume() - self.inventory/ORE)
+                / (self.fresh() - self.drained()))
+
+    def steady_after(self, off=0.05):
+        """Time when the outlet is within 1 % of its steady state, if it starts
+        off by the share off; ore is renewed four times before [s]."""
+        return max(4*self.tau, self.liquid_time()*np.log(off/0.01))
 
     def passing(self):
         """The most ore that the pipe can pass if none did [kg/s]: particles
@@ -198,11 +216,21 @@ class Leaching(FedRun):
 
     def species_defect(self, name):
         """All that has come from nowhere since the start, over what there is:
-        by the log."""
+        by the log, in which it begins anew with each start of the solver."""
         log = (self.case / "log.cghsFoam").read_text()
-        there, gone = re.findall(
-            rf"species {name}: .*\n.*; (\S+) kg, from nowhere (\S+) kg", log)[-1]
-        return abs(float(gone))/float(there)
+        found = [re.findall(rf"species {name}: .*\n.*; (\S+) kg, from nowhere"
+                            rf" (\S+) kg", part)
+                 for part in log.split("Starting time loop")[1:]]
+        last = np.array([part[-1] for part in found if part], float)
+        return abs(last[:, 1].sum())/last[-1, 0]
+
+    def least_ammonium(self):
+        """Times, and the lowest of all cells over that of the fresh liquid: by
+        the log."""
+        steps = self._steps_of_log(re.compile(
+            r"species NH4: .*\n.*; Y from (\S+) to"))
+        time, least = zip(*steps.items())
+        return np.array(time), np.array(least)/AMMONIUM
 
 
 class Operation(Leaching):
@@ -215,16 +243,42 @@ class Operation(Leaching):
 
     def read_series(self):
         super().read_series()
-        rows = series(self.case, "outlet")
-        self.outlet_time, self.outlet, self.outlet_ammonium = rows[:, :3].T
+        # Times, rare earth and ammonium, by mass
+        self.liquids = {name: series(self.case, name)[:, :3].T
+                        for name in ("outlet", "recycled", "drained")}
+        self.outlet_time, self.outlet, self.outlet_ammonium = (
+            self.liquids["outlet"])
         self.flows = {name: series(self.case, name)[:, :2].T
                       for name in ("outletFlow", "freshFlow", "recycleFlow",
                                    "drainFlow")}
-        self.drained = series(self.case, "drained")[:, :2].T
+        self.drained = self.liquids["drained"][:2]
+
+    def is_long(self):
+        """Has the ore been renewed four times?"""
+        return self.window is not None and self.end > 4*self.reactor.tau
+
+    def drift(self):
+        """Rare earth that the liquid in the reactor stores, over what it takes
+        up from the ore, means of the window."""
+        rows = columns(self.case, "balance")
+        return abs(rows["stored(REEaq)Mean"][-1]
+                   / rows["gained(REEaq)Mean"][-1])
 
     def is_steady(self):
-        """After four times the time that ore and liquid take."""
-        return self.end > 4*self.reactor.tau
+        """Ore and liquid."""
+        return self.is_long() and self.drift() <= STEADY
+
+    def has_ended(self):
+        return self.end > option(
+            self.case, "endTime", "constant/method") - 1e-6
+
+    def bed_cells(self):
+        """As many as fill the bed that the liquid carries."""
+        cells = number(self.case / "log.checkMesh", r"    cells:")
+        reactor = self.reactor
+        U = reactor.liquid/LIQUID/reactor.area
+        bed = reactor.inventory/ORE/(1 - expanded(reactor.d, U))
+        return cells*bed/reactor.volume()
 
     def flow(self, name):
         """Out of the mesh, mean of the run from its second step on [kg/s]."""
@@ -263,11 +317,12 @@ class Operation(Leaching):
         rows = newest(self.case, name, "histogram")
         return rows["x"], rows["share"]
 
-    def by_ages(self):
-        """What Eq 103 leaches of ore of the ages that the ore has that leaves,
-        in the liquid of the experiment."""
+    def by_ages(self, cation=1.0):
+        """What Eq 103 leaches of ore of the ages that the ore has that leaves.
+        cation: ammonium over that of the liquid of the experiment."""
         ages, share = self.histogram("ageOfLeaving")
-        return float(share @ leached(rate(self.diameter)*ages)/share.sum())
+        kt = cation*rate(self.diameter)*ages
+        return float(share @ leached(kt)/share.sum())
 
     def tanks(self):
         """How many mixed tanks in series have ages that vary as much."""

@@ -14,10 +14,8 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 sys.path.append(str(Path(__file__).resolve().parents[1]))
 from leaching import (  # noqa: E402
-    AMMONIUM, CATIONS, LIQUID, M_NH4, M_REE, RARE_EARTH, Leaching, leached, np,
-    of, rate, stop)
+    Leaching, leached, np, of, rate, stop)
 
-AREA, SPEED = 0.08**2, 0.004            # of the floor, superficial [m2, m/s]
 NAMES = [f"d{d}W{W}" for d in (45, 60) for W in (250, 500, 1000)]
 
 
@@ -29,13 +27,17 @@ class Bed(Leaching):
         time, found = self.leached_there()
         return time, found, leached(rate(self.diameter)*time)
 
+    def in_poorest(self):
+        """The same in the liquid of the cell that has least ammonium at a
+        time: none of the ore has seen less."""
+        steps, least = self.least_ammonium()
+        seen = np.cumsum(least*np.diff(steps, prepend=0))
+        return leached(rate(self.diameter)*np.interp(
+            self.leached_there()[0], steps, seen))
+
     def scarcest(self):
-        """The ammonium of the bed over that of the fresh liquid, the mean of
-        the run if all the liquid had what leaves in a steady state: what the
-        ore takes up is missing in what flows past."""
-        taken = (CATIONS*M_NH4/M_REE*RARE_EARTH*self.mass[0]
-                 * self.leached_there()[1][-1]/self.end)
-        return 1 - taken/(AMMONIUM*LIQUID*SPEED*AREA)
+        """The least ammonium of the run over that of the fresh liquid."""
+        return self.least_ammonium()[1].min()
 
 
 def beds_in(folder):
