@@ -134,6 +134,16 @@ class Reactor:
         return self.solids*RARE_EARTH*a/(
             self.fresh() - (1 - below)*self.drained())
 
+    def top(self):
+        """Liquid that leaves at the top [kg/s]."""
+        return self.liquid - self.drained()
+
+    def outlet_by_top(self, a, below=1.0):
+        """The outlet if what is recycled is that share not of the liquid that
+        enters, but of what leaves at the top."""
+        fresh = self.liquid - self.recycle*self.top()
+        return self.solids*RARE_EARTH*a/(fresh - (1 - below)*self.drained())
+
     def ammonium(self, a):
         """The same of what is left of the ammonium."""
         return AMMONIUM - CATIONS*M_NH4/M_REE*self.outlet(a)

@@ -83,8 +83,8 @@ def steady(name, run, checks):
     poor = run.windowed(run.outlet_time, run.outlet_ammonium)[0]/AMMONIUM
     checks.within(f"{name}: leached, of the ore that leaves [-]", a,
                   run.by_ages(poor) - 0.01, run.by_ages() + 0.01,
-                  "Eq 103 for its ages, in the outlet's and in fresh liquid; one"
-                  " in a hundred")
+                  "Eq 103 for its ages, in the outlet's and in fresh liquid;"
+                  " one in a hundred")
     found, error = run.mean_outlet()
     balanced, other = run.balanced_outlet()
     checks.add(f"{name}: rare earth of the liquid that leaves [-]", found,
@@ -101,8 +101,8 @@ def check(runs, checks):
         conservation(name, run, checks)
     for name, run in runs.items():
         if run.is_long() and run.has_ended():
-            checks.below(f"{name}: rare earth that the liquid stores, of what it"
-                         " takes up [-]", run.drift(), STEADY,
+            checks.below(f"{name}: rare earth that the liquid stores, of what"
+                         " it takes up [-]", run.drift(), STEADY,
                          "limit: the liquid is steady, too")
     judged = {n: r for n, r in runs.items() if r.is_steady()}
     for name, run in judged.items():
