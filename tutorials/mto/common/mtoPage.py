@@ -24,7 +24,7 @@ def plot_coke(run, results):
 def plot_products(run, results):
     time, Y = run.products()
     figure, axes = new_plot(
-        "time (s)", f"in the gas that leaves, by mass, mean of {BLOCK} s (%)")
+        "time (s)", f"of the gas that leaves, {BLOCK} s means (%)")
     for name in ("MeOH", *LIGHT):
         axes.plot(time, 100*Y[name], label=name, marker=".", ms=3)
     axes.legend()
