@@ -154,7 +154,7 @@ def press(e, mu, share, steps):
     case = bed(name, n, side, g=(0, -g, 0), e=e, mu=mu, deltaT=dt,
                endTime=steps*dt, maxDisplacement=0.1)
     solve(name, case)
-    warned = (case.folder/"log.cghsFoam").read_text().count("hold no bed")
+    warned = (case.folder/"log.cghsFoam").read_text().count("Gravity alone")
     result(f"{name}.warned", abs(warned - (share > 0.1)), 0)
     result(f"{name}.lost", abs(case.table()["nParcels"] - n).max(), 0)
     x = case.final("position")
