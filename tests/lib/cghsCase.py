@@ -270,9 +270,9 @@ class Case:
             self.folder / "postProcessing" / CLOUD / "0/parcels.dat")
 
     def indicators(self):
-        """The table errorIndicators.dat by the names of its columns."""
+        """The table errorIndicators by the names of its columns."""
         return of.columns(
-            self.folder / "postProcessing" / CLOUD / "0/errorIndicators.dat")
+            self.folder / "postProcessing/errorIndicators/0" / f"{CLOUD}.dat")
 
     def by_height(self, name):
         """Mean of a field in each layer of cells, at the last time."""

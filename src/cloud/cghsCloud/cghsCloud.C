@@ -47,19 +47,6 @@ Foam::scalar Foam::cghs::cghsCloud::largestDiameter() const
 }
 
 
-Foam::scalar Foam::cghs::cghsCloud::smallestDiameter() const
-{
-    scalar d = GREAT;
-
-    for (label i = 0; i < parcels_.size(); ++i)
-    {
-        d = min(d, 2*parcels_.spheres[i].r);
-    }
-
-    return returnReduce(d, minOp<scalar>());
-}
-
-
 Foam::scalar Foam::cghs::cghsCloud::largestSpeed() const
 {
     scalar speed = 0;
@@ -457,7 +444,7 @@ void Foam::cghs::cghsCloud::warnOfOverlaps()
         return;
     }
 
-    const scalar d = smallestDiameter();
+    const scalar d = log_.overlaps.diameter();
     const scalar fall = mag(g_)*sqr(log_.minDeltaT)/d;
     if (fall > muchFall)
     {

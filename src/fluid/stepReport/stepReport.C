@@ -17,7 +17,7 @@ Foam::cghs::stepReport::stepReport
     time_(mesh.time()),
     loads_(mesh),
     parcels_(time_, cloud.name(), "parcels", 16),
-    errors_(time_, cloud.name(), "errorIndicators", 6)
+    errors_(time_, "errorIndicators", cloud.name(), 6)
 {}
 
 

@@ -69,15 +69,20 @@ void Foam::cghs::transport::turnBack
     const bool mirrored
 )
 {
+    const label patchi = mesh_.boundaryMesh().whichPatch(facei);
+    // At a valve they wait to be let out
+    const bool bounces =
+        bouncing_ && mirrored && boundary_[patchi] != action::valve;
+
     const vector n(locator_.outwardNormal(facei));
     sphere& s = parcels.spheres[i];
     motion& m = parcels.motions[i];
 
     // To just inside the face, by the way it came in; or as far as it was out
     const scalar out = (s.x - mesh_.faceCentres()[facei]) & n;
-    s.x -= (out + max(mirrored ? out : scalar(0), 1e-3*s.r))*n;
+    s.x -= (out + max(bounces ? out : scalar(0), 1e-3*s.r))*n;
 
-    m.v -= (bouncing_ ? 2 : 1)*max(m.v & n, scalar(0))*n;
+    m.v -= (bounces ? 2 : 1)*max(m.v & n, scalar(0))*n;
 
     ++nPenetrated_;
 }
@@ -126,7 +131,7 @@ Foam::cghs::transport::fate Foam::cghs::transport::settleOne
             case action::rebound:
             case action::valve:
             case action::mirror:
-                turnBack(parcels, i, facei, bouncing_ && step < 3);
+                turnBack(parcels, i, facei, step + corner_ < patience);
                 break;
 
             case action::axis:
@@ -452,11 +457,11 @@ void Foam::cghs::transport::goneOutOfHand
     FatalErrorInFunction
         << "Parcel " << parcels.ids[i] << " at " << parcels.spheres[i].x
         << " moves at " << parcels.motions[i].v
-        << " m/s, in a step further than " << ways_ << " times the mesh: the"
-        << " run has gone out of hand" << nl
+        << " m/s, in a step further than " << ways_ << " times the mesh:"
+        << " the run has gone out of hand" << nl
         << "It has a density of " << parcels.density(i) << " kg/m^3. One"
-        << " that is lighter than its fluid wants forces (addedMass) in subModels, one"
-        << " that burns up leastDensity in reactionsCoeffs" << nl
+        << " that is lighter than its fluid wants forces (addedMass) in"
+        << " subModels, one that burns up leastDensity in reactionsCoeffs" << nl
         << "This step is not written" << nl
         << exit(FatalError);
 }
@@ -503,11 +508,11 @@ Foam::cghs::transport::report Foam::cghs::transport::move
 
         label facei = locator_.follow(s.x, parcels.cells[i]);
 
-        // Back from walls, of which a corner has three at most. Beside one the
-        // cell may end, too
-        for (label wall = 0; wall < 3 && holds(facei); ++wall)
+        // Back from walls. Beside one the cell may end, too
+        const label nMirrors = bouncing_ ? mirrors_ : 0;
+        for (label k = 0; k < nMirrors + corner_ && holds(facei); ++k)
         {
-            turnBack(parcels, i, facei, bouncing_ && wall < 2);
+            turnBack(parcels, i, facei, k < nMirrors);
             facei = locator_.follow(s.x, parcels.cells[i]);
         }
 

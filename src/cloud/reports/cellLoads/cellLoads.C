@@ -6,6 +6,7 @@
 #include "cellLoads.H"
 #include "fvMesh.H"
 #include "emptyPolyPatch.H"
+#include "wedgePolyPatch.H"
 #include "PstreamReduceOps.H"
 
 Foam::cghs::cellLoads::cellLoads(const fvMesh& mesh)
@@ -26,7 +27,7 @@ Foam::cghs::cellLoads::cellLoads(const fvMesh& mesh)
     }
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
-        if (!isA<emptyPolyPatch>(patch))
+        if (!isA<emptyPolyPatch>(patch) && !isA<wedgePolyPatch>(patch))
         {
             forAll(patch, i)
             {

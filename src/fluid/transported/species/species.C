@@ -723,14 +723,17 @@ void Foam::cghs::species::weigh(const fluidFlow& flow)
 
 Foam::List<Foam::cghs::figure> Foam::cghs::species::errors() const
 {
+    // Of one that is nearly used up there is nothing to hold its own against
     scalar worst = 0;
+    scalar scale = VSMALL;
     for (const speciesBudget& b : budgets_)
     {
-        worst = max(worst, b.relativeDefect());
+        worst = max(worst, mag(b.defect()));
+        scale = max(scale, b.scale);
     }
     return List<figure>
     ({
-        {"speciesDefect", worst},
+        {"speciesDefect", worst/scale},
         {"splittingError", splittingError_}
     });
 }

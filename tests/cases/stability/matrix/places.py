@@ -83,15 +83,17 @@ def wall():
 
 
 def bounce():
-    for kind in ("wall", "symmetryPlane"):
-        name = f"bounce.{kind}"
+    for kind, deltaT in ("wall", 0.01), ("symmetryPlane", 0.01), ("wall", 9.5):
+        name = f"bounce.{kind}.{deltaT:g}"
+        end = max(1.5, deltaT)
         case = Case(name, cells=(4, 4, 4), typeX=kind, g=(0, 0, 0),
-                    contactModel="none", deltaT=0.01, endTime=1.5)
+                    contactModel="none", deltaT=deltaT, maxDeltaT=deltaT,
+                    endTime=end, writeInterval=end)
         x, U = np.array([[0.8, 0.3, 0.5], [0.5, 0.5, 0.5]]), \
             np.array([[0.5, 0.1, 0], [0.9, 0.7, -0.8]])
         case.parcels(x, U=U)
         solve(name, case)
-        far = (x + 1.5*U) % 2
+        far = (x + end*U) % 2
         exact = np.where(far > 1, 2 - far, far)
         X, V = case.final("position", "U")
         result(f"{name}.place", abs(X - exact).max(), 1e-5)

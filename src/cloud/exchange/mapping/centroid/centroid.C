@@ -28,7 +28,8 @@ Foam::cghs::centroid::centroid
     const scalar cell = cbrt(gAverage(mesh.V().field()));
 
     // Of one cell alone, and where parcels are in one plane, width says little
-    if (mesh.nGeometricD() == 3 && parcelDiameter > 0.5*cell)
+    const bool many = returnReduce(mesh.nCells(), sumOp<label>()) > 1;
+    if (many && mesh.nGeometricD() == 3 && parcelDiameter > 0.5*cell)
     {
         IOWarningInFunction(dict)
             << "Parcels of " << parcelDiameter << " m, in cells that are "
