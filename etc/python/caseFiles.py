@@ -122,7 +122,8 @@ def _entry(text, name):
 
 
 def _on_rank(folder, name):
-    """Values of a rank's cells, whose number is a note in a file of its mesh."""
+    """Values of a rank's cells, whose number is a note in a file of its
+    mesh."""
     text = read(folder / name)
     values = _entry(text, "internalField")
     if not re.search(r"\binternalField\s+uniform\b", text):

@@ -3,8 +3,8 @@
 # Licence: GPL-3.0-or-later, see the file LICENSE
 #
 # Description
-#     What pages of results are made of, those of the tutorials and of cghsStudy:
-#     plots in one style, tables.
+#     What pages of results are made of, those of the tutorials and of
+#     cghsStudy: plots in one style, tables.
 # ------------------------------------------------------------------------------
 """Plots and tables for pages in Markdown."""
 

@@ -6,23 +6,26 @@
 #     Is a window of time long enough for means and their errors? And means over
 #     replicas, runs that differ by chance alone, beside means over time.
 #
-#     Samples at equal steps of time forget each other after the correlation time
+#     Samples at equal steps of time forget each other after the correlation
+#     time
 #
 #         tau = dt (1/2 + sum_k rho(k)),    rho the autocorrelation,
 #
 #     summed up to 5 tau (Sokal, 1997). A window T has T/(2 tau) independent
-#     samples, and the error of its mean is the standard deviation over the root of
-#     that. Of several series, such as a profile, rho is that of all together.
+#     samples, and the error of its mean is the standard deviation over the
+#     root of that. Of several series, such as a profile, rho is that of all
+#     together.
 #
-#     A slow change behind fast noise, such as a column of bubbles that moves from
-#     side to side, is missed by that sum. It shows in the means of a tenth or a sixth
-#     of the window each: where these are not independent of their neighbours, but alike,
-#     the window is shorter than what it should see.
+#     A slow change behind fast noise, such as a column of bubbles that moves
+#     from side to side, is missed by that sum. It shows in the means of a tenth
+#     or a sixth of the window each: where these are not independent of their
+#     neighbours, but alike, the window is shorter than what it should see.
 #
 #     This is for whole series, which evaluate and validate make from fields and
-#     tables in files. What the solver sees step by step it judges itself, by the same
-#     rule, from blocks of doubling length (src/core/statistics/blockErrors): the
-#     columns correlationTime and windowLongEnough of its tables.
+#     tables in files. What the solver sees step by step it judges itself, by
+#     the same rule, from blocks of doubling length
+#     (src/core/statistics/blockErrors): the columns correlationTime and
+#     windowLongEnough of its tables.
 # ------------------------------------------------------------------------------
 """How long a window must be, and means over replicas."""
 
@@ -49,7 +52,8 @@ class Window:
     def __str__(self):
         if self.enough:
             return (f"{self.length:.3g} s, {self.independent:.0f} independent"
-                    f" samples (correlation time {self.correlation_time:.2g} s)")
+                    f" samples (correlation time {self.correlation_time:.2g}"
+                    " s)")
         return (f"window too short: {self.length:.3g} s, at least"
                 f" {self.needed:.3g} s needed ({LEAST} independent samples;"
                 f" correlation time {self.correlation_time:.2g} s or more)")
