@@ -72,6 +72,11 @@ class Measurement:
     coordinate: object = None
 
 
+def stem(path):
+    """Of a table's file, without the time of one that was there before."""
+    return re.sub(r"_[\d.e+-]+$", "", path.stem)
+
+
 class Quantity:
     """One of them."""
 
@@ -167,7 +172,10 @@ class Quantity:
             raise NotMeasured(
                 f"there is no table {self.where}{' ' + self.file or ''};"
                 f" function objects that have some: {', '.join(there)}")
-        stems = {re.sub(r"_[\d.e+-]+$", "", path.stem) for path in paths}
+        # The cloud's own table stands beside its errorIndicators
+        if not self.file:
+            paths = [p for p in paths if stem(p) == self.where] or paths
+        stems = {stem(p) for p in paths}
         if len(stems) > 1:
             raise NotMeasured(f"{self.where} has several tables: name one by"
                               f" 'file': {', '.join(sorted(stems))}")
