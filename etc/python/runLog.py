@@ -16,12 +16,21 @@ import numpy as np
 from caseFiles import NUMBER
 
 
+def starts(text):
+    """The parts of a log from each start of the solver on. cghsReactor says
+    nothing of its loop; all that make a Time say that."""
+    for words in ("Starting time loop", "Create time"):
+        if words in text:
+            return text.split(words)[1:]
+    return [text]
+
+
 def seconds(text, kind="ClockTime"):
     """What the solver has taken, over all its starts: ClockTime as on the wall,
     ExecutionTime of the processor [s]."""
     return sum(
         float(part.rsplit(f"{kind} = ", 1)[1].split()[0])
-        for part in text.split("Starting time loop")[1:]
+        for part in starts(text)
         if f"{kind} = " in part
     )
 
@@ -40,13 +49,17 @@ def clock_series(text, kind="ClockTime"):
 def cost(text, kind="ExecutionTime", start=0):
     """What a simulated second has taken from the time start on [s], by one
     process. The first step after each start of the solver, which pays for
-    reading the case, does not count, nor do steps that were taken anew."""
+    reading the case, does not count, nor do steps that were taken anew. If
+    there is but one in each start, all that was taken from 0 on counts."""
     pieces = {}
-    for part in text.split("Starting time loop")[1:]:
+    for part in starts(text):
         time, spent = clock_series(part, kind)
         for t in time[:1]:
             pieces = {end: piece for end, piece in pieces.items() if end < t}
         pieces.update(zip(time[1:], zip(np.diff(time), np.diff(spent))))
+    if not pieces:
+        time, spent = clock_series(starts(text)[-1], kind)
+        pieces = dict(zip(time, zip(time, spent)))
     counted = [piece for end, piece in pieces.items() if end > start]
     simulated, taken = np.sum(counted, axis=0) if counted else (0, 0)
     return taken/simulated if simulated > 0 else np.nan

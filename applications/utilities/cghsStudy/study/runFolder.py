@@ -20,6 +20,7 @@ import shutil
 from functools import cached_property
 
 import caseFiles
+import runLog
 from study.dictionary import find, set_entry
 from study.settings import CONTROL
 from study.studyError import StudyError
@@ -230,8 +231,7 @@ class RunFolder:
 
     def was_asked_to_stop(self):
         """Did its last start end early, by the file stop?"""
-        last = self.log_text().rsplit("Starting time loop", 1)[-1]
-        return "USER REQUESTED ABORT" in last
+        return "USER REQUESTED ABORT" in runLog.starts(self.log_text())[-1]
 
     def reached(self):
         times = caseFiles.times(self.path) if self.path.exists() else []
