@@ -21,7 +21,8 @@ PROGRAM = PROJECT / "applications" / "utilities" / "cghsStudy" / "cghsStudy"
 sys.path[:0] = [str(PROGRAM.parent), str(PROJECT / "etc" / "python")]
 
 # Writes every 'every' s. A value is bias plus noise by the seed. At the time
-# 'crash' it ends as OpenFOAM does, at 'hang' it waits to be killed.
+# 'crash' it ends as OpenFOAM does, with the seed 'unlucky' at 0.5; at 'hang' it
+# waits to be killed. With 'loop 0' its log is as that of cghsReactor.
 SOLVER = r'''#!/usr/bin/python3
 import random
 import re
@@ -42,22 +43,27 @@ def toy(name):
 end, every, bias = entry("system/controlDict", "endTime"), 0.1, toy("bias")
 random.seed(f"{toy('seed')} {bias}")
 start = max([float(p.name) for p in Path(".").glob("[0-9]*")], default=0)
-print("nProcs : 1\nStarting time loop")
+print("nProcs : 1\nCreate time")
+if toy("loop"):
+    print("Starting time loop")
 folder = Path(f"postProcessing/parcels/{start:g}")
 folder.mkdir(parents=True, exist_ok=True)
 table = open(folder / "parcels.dat", "w", buffering=1)
 table.write("# time height\n")
+beside = open(folder / "errorIndicators.dat", "w", buffering=1)
+beside.write("# time deltaT maxOverlap\n")
 step, n = 0.01, round(start/0.01)
 while n < round(end/step):
     n += 1
     t = round(n*step, 6)
     print(f"Time = {t:g}\n\nspeed 3 of {bias}", flush=True)
-    if t >= toy("crash"):
+    if t >= toy("crash") or (t >= 0.5 and toy("seed") == toy("unlucky")):
         print("\n--> FOAM FATAL ERROR: \nthe parcels have gone\n\n"
               "    From nowhere\n", flush=True)
         sys.exit(1)
     value = 1 + bias + toy("noise")*random.gauss(0, 1)
     table.write(f"{t:g} {float('nan') if t > toy('nan') else value}\n")
+    beside.write(f"{t:g} {step} 0.02\n")
     if n % round(every/step) == 0:
         place = Path(f"{t:g}")
         place.mkdir(exist_ok=True)
@@ -83,6 +89,8 @@ cost    100;
 crash   1e9;
 nan     1e9;
 hang    1e9;
+unlucky 0;
+loop    1;
 sleep   0;
 """
 

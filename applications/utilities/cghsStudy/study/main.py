@@ -33,8 +33,9 @@ stay in the report with their reason."""
 
 STATUS = """\
 exit status: 0 if the report is written, even if variants have failed, or
-if the study pauses; 1 if the reference has failed, or all variants have,
-or a dictionary is wrong; 2 for a wrong option."""
+if the study pauses; 1 if all replicas of the reference have failed, or all
+variants have, or a dictionary is wrong; 2 for a wrong option. What has a
+failed replica is not recommended; if that is the reference, nothing is."""
 
 
 def parse(arguments):
@@ -115,6 +116,8 @@ def conclude(study):
     report = Report(results, paused)
     report.write()
     say("")
+    if report.warnings():
+        say(report.warnings() + "\n")
     say(report.recommendations())
     say(f"\nreport: {report.folder / 'report.md'}")
     failure = failures(results)

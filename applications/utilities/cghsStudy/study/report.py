@@ -134,7 +134,32 @@ class Report:
         if self.results.reference_failed():
             lines.append("**The reference has not run to its end**, so that"
                          " there are no errors.")
+        lines += self._failed_replicas() + self._identical_replicas()
         return "\n\n".join(lines)
+
+    def _failed_replicas(self):
+        reference = self.results.reference
+        if not reference.failed() or self.results.reference_failed():
+            return []
+        return [f"**{reference.failed()} of {len(reference.states)} replicas of"
+                " the reference have failed:** "
+                + "; ".join(reference.problems())
+                + ". Errors are against the others, so that nothing is certain:"
+                " it may be that just these have not come to what failed."]
+
+    def _identical_replicas(self):
+        names, study = self.results.identical(), self.study
+        if not names:
+            return []
+        entries = ", ".join(f"`{entry}` of `{file}`"
+                            for file, entry in study.seeds.targets)
+        return ["**Replicas are identical to all digits** in "
+                + ", ".join(f"`{name}`" for name in names)
+                + f": {entries} has no effect there, and noise is not known."
+                " Remedy: name in `replicas` an entry that the run depends on,"
+                " such as the seed of what places the parcels, and see that"
+                " `prepare` reads it; or write `deterministic yes;` if chance"
+                " has no part in these runs."]
 
     def recommendations(self):
         return "\n".join(f"- {sentence}" for group in self.sentences.values()
@@ -197,9 +222,10 @@ class Report:
         found = outcome.comparisons.get(name)
         if found is None or not np.isfinite(found.error):
             return "?", "?", "?"
-        known = np.isfinite(found.noise)
+        known = found.is_known()
         verdict = ("told from zero" if found.distinct else
-                   "not told from noise" if known else "noise not known")
+                   "not told from noise" if known else
+                   " and ".join(found.doubts) or "noise not known")
         bias = with_error(100*found.error, 100*found.noise) + " %"
         return bias, verdict, percent(found.bound()) if known else "?"
 

@@ -17,7 +17,8 @@ import numpy as np
 import runLog
 from study.quantities import NotMeasured
 from study.runFolder import FAILED, FINISHED, RunFolder
-from study.statistics import Estimate, compare, over_replicas, pareto_front
+from study.statistics import (
+    Estimate, are_identical, compare, over_replicas, pareto_front)
 
 DATA = "the data"   # the name of a reference from a file
 
@@ -37,6 +38,9 @@ class Outcome:
     def finished(self):
         return sum(state == FINISHED for state, _ in self.states)
 
+    def failed(self):
+        return sum(state == FAILED for state, _ in self.states)
+
     def problems(self):
         """Reasons of replicas that are not finished, and of what is not
         measured, each once."""
@@ -48,7 +52,7 @@ class Outcome:
     def is_usable(self, quantities):
         """A variant that fails in one of its replicas cannot be relied upon;
         one of which some are still to be run can, by the others."""
-        return (all(state != FAILED for state, _ in self.states)
+        return (not self.failed()
                 and all(q.name in self.comparisons for q in quantities))
 
 
@@ -72,6 +76,9 @@ class Results:
                  if state == FINISHED]
         for quantity in self.study.quantities:
             self._estimate(made, quantity, whole)
+        if are_identical(made.estimates.values()):
+            made.estimates = {name: estimate.without_noise_known() for
+                              name, estimate in made.estimates.items()}
         self._cost(made, whole)
         return made
 
@@ -90,12 +97,14 @@ class Results:
     def _cost(self, outcome, runs):
         """Means over the replicas."""
         texts = [run.log_text() for run in runs]
-        if not any("Starting time loop" in text for text in texts):
+        if not texts:
             return
         start = self.study.cost_from
         outcome.ranks = runs[0].note().get("ranks", 1)
         outcome.processor = outcome.ranks*np.mean(
             [runLog.cost(text, "ExecutionTime", start) for text in texts])
+        if not outcome.processor > 0:
+            outcome.processor = np.nan      # less than the clock can tell
         outcome.wall = np.mean(
             [runLog.cost(text, "ClockTime", start) for text in texts])
 
@@ -118,11 +127,25 @@ class Results:
                 outcome.comparisons[name] = compare(
                     outcome.estimates[name], self.reference.estimates[name],
                     quantity, self.study.paired)
+                if self.reference.failed():
+                    outcome.comparisons[name].doubt_it(
+                        "a replica of the reference has failed")
 
     # What follows
 
     def reference_failed(self):
         return self.study.data is None and not self.reference.finished()
+
+    def identical(self):
+        """Names of variants whose replicas are."""
+        return [o.name for o in self.outcomes.values()
+                if any(e.same for e in o.estimates.values())]
+
+    def is_cheaper(self, outcome):
+        """Than the reference, if that can be run in its place."""
+        base = self.reference.processor
+        return (self.study.reference is None or self.reference.failed()
+                or not np.isfinite(base) or outcome.processor < base)
 
     def speed_ratio(self, outcome):
         """To the reference, or to what costs most where that is data."""

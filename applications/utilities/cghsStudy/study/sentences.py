@@ -5,7 +5,10 @@
 # Description
 #     What a study recommends, in sentences. A variant keeps an error if the
 #     estimate and its 95 % interval are below it. One whose estimate is, but
-#     whose interval is not, may keep it; that is said, too, and never more.
+#     whose interval is not, may keep it; that is said, too, and never more. The
+#     same goes for one whose noise is not to be relied upon: windows too short
+#     for one run, replicas that are identical or have failed. What costs as
+#     much as the reference is not recommended.
 # ------------------------------------------------------------------------------
 """Plain sentences."""
 
@@ -22,7 +25,9 @@ def times(ratio):
     """A ratio of speeds in words."""
     if not np.isfinite(ratio):
         return "at a cost that is not known"
-    if ratio >= 1:
+    if abs(ratio - 1) < 0.005:
+        return "as fast as"
+    if ratio > 1:
         return f"{ratio:.2g} times faster than" if ratio < 99.5 else (
             f"{ratio:.0f} times faster than")
     return f"{1/ratio:.2g} times slower than"
@@ -39,6 +44,7 @@ class Choice:
     """Of a threshold."""
     certain: object = None      # cheapest that keeps it for sure
     likely: object = None       # cheapest that may
+    dearer: object = None       # cheapest that does, but not than the reference
     best: object = None         # that of the least error, whatever it is
     hidden: bool = False        # may the noise of one hide that it keeps it?
 
@@ -51,7 +57,10 @@ def choose(results, quantities, threshold):
     found = [(o, c) for o, c in found
              if all(np.isfinite(x.error) for x in c)]
     for outcome, comparisons in sorted(found, key=lambda f: f[0].processor):
-        if all(c.bound() <= threshold for c in comparisons):
+        if not results.is_cheaper(outcome):
+            if all(abs(c.error) <= threshold for c in comparisons):
+                made.dearer = made.dearer or outcome
+        elif all(c.bound() <= threshold for c in comparisons):
             made.certain = made.certain or outcome
         elif all(abs(c.error) <= threshold for c in comparisons):
             made.likely = made.likely or outcome
@@ -96,19 +105,29 @@ class Sentences:
             return (f"use {self._what(choice.certain)}"
                     f" ({self._errors(choice.certain, quantities)}).{likely}")
         best = choice.best
-        instead = ("use the reference" if self.study.reference
-                   else "refine further")
+        instead = self._instead()
         if choice.likely:
-            known = all(np.isfinite(choice.likely.comparisons[q.name].noise)
+            known = all(choice.likely.comparisons[q.name].is_known()
                         for q in quantities)
             why = "is too large to tell" if known else "is not known"
-            return (f"no variant is certain to do: noise {why}.{likely} More"
-                    " replicas or longer windows would tell; until then"
-                    f" {instead}.")
+            which = "cheaper variant" if choice.dearer else "variant"
+            remedy = (" More replicas or longer windows would tell; until then"
+                      f" {instead}." if not self.results.reference.failed()
+                      else f" First {instead}.")
+            return f"no {which} is certain to do: noise {why}.{likely}{remedy}"
+        if choice.dearer:
+            return (f"{instead}, as no cheaper variant will do: of the others"
+                    f" the cheapest is {self._what(choice.dearer)}.")
         verdict = ("is known to do, though noise may hide one that does"
                    if choice.hidden else "will do")
         return (f"no variant {verdict}: {self._best(best, quantities)}."
                 f" So {instead}.")
+
+    def _instead(self):
+        """Of a variant."""
+        if self.results.reference.failed():
+            return "see why the reference has failed"
+        return "use the reference" if self.study.reference else "refine further"
 
     def _why_not(self, quantities):
         results = self.results
@@ -116,7 +135,14 @@ class Sentences:
             return "the reference has no value yet"
         if results.candidates(quantities):
             return "the reference is zero; give the quantity a 'scale'"
-        return "no variant has run to its end"
+        others = [results.outcomes[name] for name in self.study.others()]
+        if not any(o.finished() for o in others):
+            return "no variant has run to its end"
+        if any(o.is_usable(quantities) for o in others):
+            return ("what variants cost is not known, as their logs have no"
+                    " ExecutionTime after costFrom, or one of 0")
+        return ("each variant has a replica that has failed or is not finished,"
+                " or no value of this")
 
     def _what(self, outcome):
         ratio = self.results.speed_ratio(outcome)
@@ -144,7 +170,8 @@ class Sentences:
         worst = max((likely.comparisons[q.name] for q in quantities),
                     key=lambda c: c.bound())
         known = (f"only {percent(worst.bound())} can be vouched for"
-                 if np.isfinite(worst.bound()) else "its noise is not known")
+                 if worst.is_known() else " and ".join(worst.doubts)
+                 or "its noise is not known")
         return (f" {self._what(likely)} may do: its error is estimated at"
                 f" {percent(abs(worst.error))}, but {known}.")
 

@@ -30,7 +30,7 @@
 # ------------------------------------------------------------------------------
 """Estimates, biases, and what their noise is."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -51,6 +51,20 @@ class Estimate:
     coordinate: object = None
     enough: bool = True
     replicas: tuple = ()    # the value in each
+    same: bool = False      # are these alike to all digits?
+
+    def doubt(self):
+        """Why its error is not to be relied upon, or nothing."""
+        if self.same:
+            return "replicas are identical"
+        if not self.enough and len(self.replicas) < 2:
+            return "window is too short for one run"
+        return ""
+
+    def without_noise_known(self):
+        """The same, of replicas that chance has not made differ."""
+        return replace(self, error=np.nan*self.error, same=True,
+                       source="unknown: identical replicas")
 
     def number(self):
         """Of a profile its mean."""
@@ -70,18 +84,30 @@ class Comparison:
     freedom: float
     distinct: bool          # from zero
     scale: float            # what the shares are of
+    doubts: tuple = ()      # why the noise is not to be relied upon
+
+    def is_known(self):
+        """Is its noise?"""
+        return bool(np.isfinite(self.noise)) and not self.doubts
+
+    def doubt_it(self, *doubts):
+        """A noise that is not relied upon tells nothing from zero."""
+        self.doubts += doubts
+        self.distinct = self.distinct and not self.doubts
 
     def t(self):
         return windows.student_t(CONFIDENCE, min(self.freedom, 1000))
 
     def bound(self):
         """What the error is below with 95 % confidence."""
+        if not self.is_known():
+            return np.inf
         spread = self.t()*self.noise if self.noise > 0 else self.noise
         return abs(self.error) + spread
 
     def least(self):
         """What the error is above with 95 % confidence."""
-        if not np.isfinite(self.noise):
+        if not self.is_known():
             return 0.0
         spread = self.t()*self.noise if self.noise > 0 else 0.0
         return max(abs(self.error) - spread, 0.0)
@@ -120,6 +146,14 @@ def over_replicas(measurements, deterministic=False):
                     all(m.enough for m in measurements), tuple(values))
 
 
+def are_identical(estimates):
+    """Has chance made no difference in any of a variant's quantities? One that
+    is the same in all replicas, such as a mass, may be so."""
+    return bool(estimates) and all(
+        len(e.replicas) > 1 and np.all(np.ptp(e.replicas, axis=0) == 0)
+        for e in estimates)
+
+
 def welch(one, freedom_one, other, freedom_other):
     """Degrees of freedom of a difference, from both standard errors."""
     below = sum(e**4/f for e, f in ((one, freedom_one), (other, freedom_other))
@@ -153,7 +187,15 @@ def paired_difference(estimate, reference):
 
 def compare(estimate, reference, quantity, paired=False):
     """Of a variant with the reference."""
-    paired = paired and len(estimate.replicas) == len(reference.replicas) > 1
+    made = compared(estimate, reference, quantity, paired)
+    made.doubt_it(*(f"{whose} {of.doubt()}" for whose, of in (
+        ("its", estimate), ("the reference's", reference)) if of.doubt()))
+    return made
+
+
+def compared(estimate, reference, quantity, paired):
+    paired = (paired and not estimate.same and not reference.same
+              and len(estimate.replicas) == len(reference.replicas) > 1)
     found = (paired_difference if paired else difference)(estimate, reference)
     if reference.coordinate is None:
         scale = quantity.scale or abs(reference.value)
