@@ -46,12 +46,18 @@ start = max([float(p.name) for p in Path(".").glob("[0-9]*")], default=0)
 print("nProcs : 1\nCreate time")
 if toy("loop"):
     print("Starting time loop")
-folder = Path(f"postProcessing/parcels/{start:g}")
-folder.mkdir(parents=True, exist_ok=True)
-table = open(folder / "parcels.dat", "w", buffering=1)
-table.write("# time height\n")
-beside = open(folder / "errorIndicators.dat", "w", buffering=1)
-beside.write("# time deltaT maxOverlap\n")
+
+
+def opened(group, names):
+    folder = Path(f"postProcessing/{group}/{start:g}")
+    folder.mkdir(parents=True, exist_ok=True)
+    file = open(folder / "parcels.dat", "w", buffering=1)
+    file.write(f"# {names}\n")
+    return file
+
+
+table = opened("parcels", "time height")
+indicators = opened("errorIndicators", "time deltaT maxOverlap")
 step, n = 0.01, round(start/0.01)
 while n < round(end/step):
     n += 1
@@ -63,7 +69,7 @@ while n < round(end/step):
         sys.exit(1)
     value = 1 + bias + toy("noise")*random.gauss(0, 1)
     table.write(f"{t:g} {float('nan') if t > toy('nan') else value}\n")
-    beside.write(f"{t:g} {step} 0.02\n")
+    indicators.write(f"{t:g} {step} 0.02\n")
     if n % round(every/step) == 0:
         place = Path(f"{t:g}")
         place.mkdir(exist_ok=True)

@@ -172,9 +172,6 @@ class Quantity:
             raise NotMeasured(
                 f"there is no table {self.where}{' ' + self.file or ''};"
                 f" function objects that have some: {', '.join(there)}")
-        # The cloud's own table stands beside its errorIndicators
-        if not self.file:
-            paths = [p for p in paths if stem(p) == self.where] or paths
         stems = {stem(p) for p in paths}
         if len(stems) > 1:
             raise NotMeasured(f"{self.where} has several tables: name one by"
