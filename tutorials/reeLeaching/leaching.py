@@ -22,7 +22,8 @@ if PROJECT is None:
 sys.path.append(str(PROJECT / "tutorials" / "lib"))
 from fedRun import FedRun  # noqa: E402
 from tutorial import (  # noqa: E402
-    columns, mean_of, newest, np, number, of, option, series, stop)
+    columns, log_of, mean_of, newest, np, number, of, option, runLog, series,
+    stop)
 import dragLaws  # noqa: E402
 
 # Table 12: ore, and what of it can be leached; liquid [kg/m3, Pa s]
@@ -227,18 +228,18 @@ class Leaching(FedRun):
     def species_defect(self, name):
         """All that has come from nowhere since the start, over what there is:
         by the log, in which it begins anew with each start of the solver."""
-        log = (self.case / "log.cghsFoam").read_text()
         found = [re.findall(rf"species {name}: .*\n.*; (\S+) kg, from nowhere"
                             rf" (\S+) kg", part)
-                 for part in log.split("Starting time loop")[1:]]
+                 for part in runLog.starts(log_of(self.case))]
         last = np.array([part[-1] for part in found if part], float)
         return abs(last[:, 1].sum())/last[-1, 0]
 
     def least_ammonium(self):
         """Times, and the lowest of all cells over that of the fresh liquid: by
         the log."""
-        steps = self._steps_of_log(re.compile(
-            r"species NH4: .*\n.*; Y from (\S+) to"))
+        steps = runLog.steps(
+            log_of(self.case),
+            re.compile(r"species NH4: .*\n.*; Y from (\S+) to"))
         time, least = zip(*steps.items())
         return np.array(time), np.array(least)/AMMONIUM
 
