@@ -6,8 +6,7 @@
 #     Is a window of time long enough for means and their errors? And means over
 #     replicas, runs that differ by chance alone, beside means over time.
 #
-#     Samples at equal steps of time forget each other after the correlation
-#     time
+#     Samples at equal steps of time forget each other after the correlation time
 #
 #         tau = dt (1/2 + sum_k rho(k)),    rho the autocorrelation,
 #
