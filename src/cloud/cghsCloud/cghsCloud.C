@@ -525,6 +525,12 @@ void Foam::cghs::cghsCloud::report(Ostream& os) const
     slowClock_.report(mesh_.time().value(), os);
     feeding_.report(os);
     exchanges_.report(parcels_, os);
+
+    if (debug)
+    {
+        os  << "memory: " << label(bytesPerParcel()) << " bytes a parcel, "
+            << label(parcels_.bytesPerParcel()) << " of them in columns" << nl;
+    }
 }
 
 // * * * * * * * * * * * * * * * Input and output  * * * * * * * * * * * * * //

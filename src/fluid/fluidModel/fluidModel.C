@@ -611,23 +611,53 @@ void Foam::cghs::fluidModel::solveFor
 }
 
 
+void Foam::cghs::fluidModel::tellGain
+(
+    const fvVectorMatrix& exchange,
+    momentum& solids
+) const
+{
+    const vectorField& U = U_.primitiveField();
+    const vectorField& U0 = U_.oldTime().primitiveField();
+    const vectorField& source = exchange.source();
+    const scalarField& diag = exchange.diag();
+    vector gained(Zero);
+    scalar exchanged = 0;
+
+    forAll(U, celli)
+    {
+        gained += source[celli] - diag[celli]*U[celli];
+        exchanged +=
+            mag(source[celli] - diag[celli]*U0[celli])
+          + diag[celli]*mag(U[celli] - U0[celli]);
+    }
+
+    const scalar scale =
+        momentumDensity().value()*mesh_.time().deltaTValue();
+
+    solids.setGain(scale*gained, scale*exchanged);
+}
+
+
 void Foam::cghs::fluidModel::solveBeside
 (
     const volVectorField& drag,
     const volScalarField& response,
-    const cghsCloud& cloud
+    cghsCloud& cloud
 )
 {
     addProfiling(fluid, "cghs::fluid");
 
     const volScalarField R("dragResponse", response/momentumDensity());
-
-    fvVectorMatrix UEqn
+    const fvVectorMatrix exchange
     (
-        momentumEquation() + fvm::Sp(R, U_)
-     == R*U_.oldTime() - drag/momentumDensity()
+        fvm::Sp(R, U_) == R*U_.oldTime() - drag/momentumDensity()
     );
+
+    fvVectorMatrix UEqn(momentumEquation() + exchange);
     solveFor(UEqn, cloud);
+
+    tellGain(exchange, cloud.momentumExchange());
 }
 
 

@@ -6,6 +6,7 @@
 #include "momentum.H"
 #include "fvcGrad.H"
 #include "profiling.H"
+#include "PstreamReduceOps.H"
 #include "zeroGradientFvPatchFields.H"
 #include "Time.H"
 
@@ -33,7 +34,9 @@ Foam::cghs::momentum::momentum
     cloudName_(cloudName),
     mapping_(mappingModel::New(subModels, mesh, parcelDiameter, plates)),
     suspension_(subModels, g, mesh.nCells(), mapping_->kernels()),
-    nCrowdedCells_(0)
+    nCrowdedCells_(0),
+    gained_(Zero),
+    exchanged_(0)
 {
     if (minVoidage > 0)
     {
@@ -311,4 +314,26 @@ Foam::cghs::momentum::yieldToGradient() const
         suspension_.yieldToGradient(),
         dimTime/dimDensity
     );
+}
+
+// * * * * * * * * * * * * * * * * Reports * * * * * * * * * * * * * * * * * //
+
+Foam::List<Foam::cghs::figure> Foam::cghs::momentum::errors() const
+{
+    if (!limit_.valid())
+    {
+        return List<figure>();
+    }
+
+    const vector defect(suspension_.received() + gained_);
+    scalarField sums({defect.x(), defect.y(), defect.z(), exchanged_});
+    reduce(sums, sumOp<scalarField>());
+
+    return List<figure>
+    ({
+        {
+            "momentumDefect",
+            mag(vector(sums[0], sums[1], sums[2]))/max(sums[3], VSMALL)
+        }
+    });
 }

@@ -25,6 +25,7 @@ Foam::cghs::suspension::suspension
     yieldToVelocity_(nCells, Zero),
     yieldToGradient_(nCells, Zero),
     drag_(kernels ? nCells : 0, Zero),
+    received_(Zero),
     flows_(blockSize_),
     D_(blockSize_),
     holds_(false),
@@ -140,6 +141,7 @@ void Foam::cghs::suspension::startFluidStep()
 {
     impulse_ = Zero;
     response_ = Zero;
+    received_ = Zero;
 }
 
 
@@ -177,7 +179,7 @@ void Foam::cghs::suspension::findRates
 }
 
 
-inline void Foam::cghs::suspension::accelerate
+inline Foam::vector Foam::cghs::suspension::accelerate
 (
     arena& parcels,
     const label i,
@@ -192,10 +194,13 @@ inline void Foam::cghs::suspension::accelerate
     const vector u(c.u());
     const vector g(forces_.valid() ? forces_->field(i, g_) : g_);
     const vector field(g - (parcels.displaced(i)*m.invMass)*c.gradP());
+    const vector before(m.v);
 
     m.v = (m.v + time*(K*u + field))/(1 + time*K);
 
     impulse += (time*K/m.invMass)*(u - m.v);
+
+    return m.mass()*(m.v - before - time*field);
 }
 
 
@@ -207,21 +212,29 @@ void Foam::cghs::suspension::accelerate
     const scalar time
 )
 {
+    vector received(Zero);
+
     if (kernels_)
     {
         for (label i = from; i < from + n; ++i)
         {
-            accelerate(parcels, i, time, met_[i], taken_[i]);
+            received += accelerate(parcels, i, time, met_[i], taken_[i]);
         }
-        return;
     }
-
-    const UList<label>& places = parcels.places();
-
-    for (label i = from; i < from + n; ++i)
+    else
     {
-        accelerate(parcels, i, time, fluid_[places[i]], impulse_[places[i]]);
+        const UList<label>& places = parcels.places();
+
+        for (label i = from; i < from + n; ++i)
+        {
+            const label placei = places[i];
+
+            received +=
+                accelerate(parcels, i, time, fluid_[placei], impulse_[placei]);
+        }
     }
+
+    received_ += received;
 }
 
 
@@ -660,21 +673,25 @@ Foam::scalarField Foam::cghs::suspension::dissipation
 
 inline Foam::vector Foam::cghs::suspension::answer
 (
-    const arena& parcels,
+    arena& parcels,
     const label i,
     const change& c,
     const scalar fluidDeltaT
 ) const
 {
-    const scalar invMass = parcels.motions[i].invMass;
-    const scalar V = parcels.displaced(i);
+    motion& m = parcels.motions[i];
 
-    return
-        (fluidDeltaT*invMass)
-       *(
-            responseOf(parcels, i, fluidDeltaT)*c.u()
-          - (1 - yielding(i, fluidDeltaT))*V*c.gradP()
-        );
+    const vector before(m.v);
+    const vector push
+    (
+        (1 - yielding(i, fluidDeltaT))*parcels.displaced(i)*c.gradP()
+    );
+
+    m.v +=
+        (fluidDeltaT*m.invMass)
+       *(responseOf(parcels, i, fluidDeltaT)*c.u() - push);
+
+    return m.mass()*(m.v - before) + fluidDeltaT*push;
 }
 
 
@@ -683,7 +700,7 @@ void Foam::cghs::suspension::complete
     arena& parcels,
     List<change>&& byCell,
     const scalar fluidDeltaT
-) const
+)
 {
     if (kernels_)
     {
@@ -700,7 +717,7 @@ void Foam::cghs::suspension::complete
     {
         const label i = kernels_ ? order[k] : k;
 
-        parcels.motions[i].v +=
+        received_ +=
             answer
             (
                 parcels,
