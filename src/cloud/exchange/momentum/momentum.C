@@ -325,15 +325,23 @@ Foam::List<Foam::cghs::figure> Foam::cghs::momentum::errors() const
         return List<figure>();
     }
 
+    // Less than that of the parcels' momentum drowns in its rounding
+    constexpr scalar least = 1e-6;
+
     const vector defect(suspension_.received() + gained_);
-    scalarField sums({defect.x(), defect.y(), defect.z(), exchanged_});
+    scalarField sums
+    ({
+        defect.x(), defect.y(), defect.z(), exchanged_, suspension_.carried()
+    });
     reduce(sums, sumOp<scalarField>());
+
+    const scalar scale = max(sums[3], least*sums[4]);
 
     return List<figure>
     ({
         {
             "momentumDefect",
-            mag(vector(sums[0], sums[1], sums[2]))/max(sums[3], VSMALL)
+            mag(vector(sums[0], sums[1], sums[2]))/max(scale, VSMALL)
         }
     });
 }

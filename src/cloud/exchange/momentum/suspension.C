@@ -26,6 +26,7 @@ Foam::cghs::suspension::suspension
     yieldToGradient_(nCells, Zero),
     drag_(kernels ? nCells : 0, Zero),
     received_(Zero),
+    carried_(0),
     flows_(blockSize_),
     D_(blockSize_),
     holds_(false),
@@ -50,6 +51,7 @@ void Foam::cghs::suspension::addColumns(arena& parcels)
         parcels.add(met_);
         parcels.add(taken_);
         taken_.UList<vector>::operator=(Zero);
+        parcels.keep(*this);
     }
     if (forces_.valid())
     {
@@ -591,7 +593,7 @@ void Foam::cghs::suspension::spreadDeposits
         cghs::deposit& sum = sums[celli];
 
         volume_[celli] = sum.volume();
-        impulse_[celli] = sum.impulse();
+        impulse_[celli] += sum.impulse();
         response_[celli] = sum.response();
         yieldToVelocity_[celli] = sum.yieldToVelocity();
         yieldToGradient_[celli] = sum.yieldToGradient();
@@ -712,6 +714,7 @@ void Foam::cghs::suspension::complete
     }
 
     const labelList order(kernels_ ? cellByCell(parcels) : labelList());
+    carried_ = 0;
 
     for (label k = 0; k < parcels.size(); ++k)
     {
@@ -727,6 +730,9 @@ void Foam::cghs::suspension::complete
               : byCell[respondingPlaces_[i]],
                 fluidDeltaT
             );
+
+        const motion& m = parcels.motions[i];
+        carried_ += m.mass()*mag(m.v);
     }
 
     law_->warnOutsideRange();
