@@ -255,7 +255,8 @@ bool Foam::cghs::wallSurfaces::touches(const sphere& s)
 std::size_t Foam::cghs::wallSurfaces::bytes() const
 {
     return
-        triangles_.byteSize() + faces_.byteSize() + moving_.bytes()
+        triangles_.size()*sizeof(wallTriangle) + faces_.byteSize()
+      + moving_.bytes()
       + search_.bytes()
       + sizeof(label)*(start_.size() + candidates_.capacity());
 }
