@@ -99,6 +99,7 @@ Foam::cghs::cghsCloud::cghsCloud
     contacts_
     (
         std::move(contactModel_),
+        wallDistance::New(subModels()),
         scalarInRange(solution(), "neighbourSkin", SMALL, 10),
         mesh,
         transport_.boundary().wallPatches(),

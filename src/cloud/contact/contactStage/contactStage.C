@@ -10,6 +10,7 @@
 Foam::cghs::contactStage::contactStage
 (
     autoPtr<contactModel>&& model,
+    autoPtr<wallDistance>&& distance,
     const scalar skinShare,
     const polyMesh& mesh,
     const UList<labelPair>& wallPatches,
@@ -24,6 +25,7 @@ Foam::cghs::contactStage::contactStage
     remember_(model_->needsMemory()),
     anticipate_(model_->anticipates()),
     skinShare_(skinShare),
+    wallDistance_(std::move(distance)),
     walls_(mesh, wallPatches, periods),
     ranks_(periods),
     search_(layerAxis(g)),
@@ -305,6 +307,7 @@ void Foam::cghs::contactStage::findAtWalls
     walls_.touch
     (
         spheres,
+        [&](const label i) { return distanceOf(parcels, i); },
         wallBody_,
         margin_,
         horizon,
@@ -415,6 +418,7 @@ void Foam::cghs::contactStage::findNeighbours(const arena& parcels)
     walls_.touch
     (
         spheres,
+        [&](const label i) { return distanceOf(parcels, i); },
         wallBody_,
         0.5*needs_.layer,
         0,

@@ -73,6 +73,7 @@ void Foam::cghs::wallSurfaces::findContacts
 (
     const label i,
     const sphere& s,
+    const scalar distance,
     const label wallBody,
     const scalar reach,
     DynamicList<near>& found,
@@ -109,14 +110,17 @@ void Foam::cghs::wallSurfaces::findContacts
         for (const contact& c : contacts)
         {
             hidden =
-                hidden || (f.d & c.n) > s.r - c.overlap - nearness*s.r;
+                hidden || (f.d & c.n) > distance - c.overlap - nearness*s.r;
         }
 
         if (!hidden)
         {
             const label body = moving_.bodyOf(f.triangle, wallBody);
 
-            contacts.append(makeContact(i, body, f.surface, i, f.d, s.r));
+            contacts.append
+            (
+                makeContact(i, body, f.surface, i, f.d, distance)
+            );
             faces.append(faces_[f.triangle]);
         }
     }

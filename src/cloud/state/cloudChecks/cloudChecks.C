@@ -143,7 +143,8 @@ void Foam::cghs::checkEntries
         properties.subDict("subModels"),
         wordList
         ({
-            "contactModel", "dragModel", "forces", "mappingModel", "exchanges"
+            "contactModel", "wallDistance", "dragModel", "forces",
+            "mappingModel", "exchanges"
         })
     );
 }

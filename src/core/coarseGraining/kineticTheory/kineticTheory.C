@@ -19,10 +19,11 @@ namespace cghs
 Foam::scalar Foam::cghs::kineticTheory::ofParcel
 (
     const dictionary& dict,
-    const scalar e,
+    const restitution& particle,
     const scalar W
 ) const
 {
+    const scalar e = particle.e;
     const scalar square = 1 + (sqr(e) - 1)*cbrt(W);
 
     // The limit is printed with six digits: what is printed is to be accepted

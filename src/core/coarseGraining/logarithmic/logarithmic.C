@@ -19,9 +19,9 @@ namespace cghs
 Foam::scalar Foam::cghs::logarithmic::ofParcel
 (
     const dictionary&,
-    const scalar e,
+    const restitution& particle,
     const scalar W
 ) const
 {
-    return pow(e, sqrt(W));
+    return pow(particle.e, sqrt(W));
 }

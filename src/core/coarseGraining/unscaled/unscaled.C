@@ -19,9 +19,9 @@ namespace cghs
 Foam::scalar Foam::cghs::unscaled::ofParcel
 (
     const dictionary&,
-    const scalar e,
+    const restitution& particle,
     const scalar
 ) const
 {
-    return e;
+    return particle.e;
 }

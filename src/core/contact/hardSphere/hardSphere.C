@@ -66,7 +66,12 @@ namespace cghs
 
                 if (type != contact::parcelWall)
                 {
-                    k.en = scaling->ofParcel(surface, k.en, parcelWeight);
+                    k.en = scaling->ofParcel
+                    (
+                        surface,
+                        restitution{k.en, k.et, k.mu},
+                        parcelWeight
+                    );
                 }
                 return k;
             }

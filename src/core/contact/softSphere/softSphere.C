@@ -66,6 +66,22 @@ Foam::scalar Foam::cghs::softSphere::restitutionOf(const scalar damping)
 }
 
 
+Foam::scalar Foam::cghs::softSphere::tangentialRestitution
+(
+    const scalar damping
+)
+{
+    // The mass that swings is 2/7 m_eff, as the spheres turn, so that the swing
+    // takes as long as the contact does
+    const scalar tangential = 7*damping/4;
+
+    return
+        tangential < 1
+      ? exp(-pi*tangential/sqrt(1 - sqr(tangential)))
+      : 0;
+}
+
+
 Foam::cghs::softSphere::springCoeffs Foam::cghs::softSphere::springOf
 (
     const scalar e,
@@ -125,7 +141,14 @@ Foam::cghs::softSphere::readTable
 
             if (type != contact::parcelWall)
             {
-                e = scaling->ofParcel(surface, e, parcelWeight);
+                const scalar et = tangentialRestitution(springOf(e, mu).damping);
+                e = scaling->ofParcel
+                (
+                    surface,
+                    restitution{e, et, mu},
+                    parcelWeight
+                );
+                e = max(e, SMALL);
             }
 
             springCoeffs k(springOf(e, mu));

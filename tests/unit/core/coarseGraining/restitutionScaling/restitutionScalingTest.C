@@ -8,6 +8,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "restitutionScaling.H"
+#include "roughImpacts.H"
 #include "complaint.H"
 #include "claim.H"
 
@@ -23,11 +24,19 @@ namespace cghs
 namespace
 {
 
-scalar scaled(const char* law, const scalar e, const scalar W)
+scalar scaled
+(
+    const char* law,
+    const scalar e,
+    const scalar W,
+    const scalar mu = 0,
+    const scalar et = 0.5
+)
 {
     const std::string text(std::string("restitutionScaling ") + law + ';');
     const dictionary dict(dictionaryOf(text.c_str()));
-    return restitutionScaling::New(dict)->ofParcel(dict, e, W);
+    return restitutionScaling::New(dict)
+        ->ofParcel(dict, restitution{e, et, mu}, W);
 }
 
 
@@ -149,6 +158,64 @@ TEST_CASE("kineticTheory says how large W may be", "[coarseGraining]")
 }
 
 
+TEST_CASE("roughKineticTheory is kineticTheory where nothing rubs",
+    "[coarseGraining]")
+{
+    claim same("restitution.roughWithoutFriction", 1e-9);
+    for (const scalar e : {0.9, 0.94, 0.99})
+    {
+        for (const scalar W : {2.0, 8.0, 27.0})
+        {
+            same.see
+            (
+                mag
+                (
+                    scaled("roughKineticTheory", e, W)
+                  - scaled("kineticTheory", e, W)
+                )
+            );
+        }
+    }
+    same.settle();
+}
+
+
+TEST_CASE("roughKineticTheory keeps what impacts with friction take",
+    "[coarseGraining]")
+{
+    claim kept("restitution.roughKineticTheory", 1e-9);
+    claim bounded("restitution.roughKineticTheoryBounded", 0);
+
+    for (const scalar mu : {0.01, 0.1, 0.3, 1.0, 10.0})
+    {
+        for (const scalar et : {0.0, 0.33, 1.0})
+        {
+            const scalar W = 1.5;
+            const scalar e = scaled("roughKineticTheory", 0.97, W, mu, et);
+            kept.see
+            (
+                mag
+                (
+                    roughImpacts(e, et, mu).dissipation()
+                   /roughImpacts(0.97, et, mu).dissipation()/cbrt(W)
+                  - 1
+                )
+            );
+
+            for (const scalar many : {1e3, 1e9})
+            {
+                const scalar least =
+                    scaled("roughKineticTheory", 0.97, many, mu, et);
+                bounded.count(least >= 0 && least < 0.5);
+            }
+        }
+    }
+
+    kept.settle();
+    bounded.settle();
+}
+
+
 TEST_CASE("unscaled leaves e as it is", "[coarseGraining]")
 {
     claim same("restitution.unscaled", 0);
@@ -163,11 +230,16 @@ TEST_CASE("unscaled leaves e as it is", "[coarseGraining]")
 TEST_CASE("Parcels of one particle are particles", "[coarseGraining]")
 {
     claim same("restitution.identityAtOne", 1e-15);
-    for (const char* law : {"unscaled", "logarithmic", "kineticTheory"})
+    for
+    (
+        const char* law
+      : {"unscaled", "logarithmic", "kineticTheory", "roughKineticTheory"}
+    )
     {
         for (const scalar e : {0.0, 0.1, 0.5, 0.94, 1.0})
         {
             same.see(mag(scaled(law, e, 1) - e));
+            same.see(mag(scaled(law, e, 1, 0.3) - e));
         }
     }
     same.settle();
@@ -182,7 +254,8 @@ TEST_CASE("An unknown scaling law gets the list of those there are",
         "restitution.unknownLaw",
         {
             "bedProperties", "restitutionScaling", "logaritmic",
-            "unscaled", "logarithmic", "kineticTheory"
+            "unscaled", "logarithmic", "kineticTheory",
+            "roughKineticTheory"
         },
         []{ scaled("logaritmic", 0.9, 8); }
     );
