@@ -226,13 +226,15 @@ class Leaching(FedRun):
         return rows["time"], 1 - rows["Y.REE"]/RARE_EARTH
 
     def species_defect(self, name):
-        """All that has come from nowhere since the start, over what there is:
-        by the log, in which it begins anew with each start of the solver."""
-        found = [re.findall(rf"species {name}: .*\n.*; (\S+) kg, from nowhere"
-                            rf" (\S+) kg", part)
+        """All that has come from nowhere since the start, over what there is
+        and what has come in, as fast as at the end: by the log, in which it
+        begins anew with each start of the solver."""
+        found = [re.findall(rf"species {name}: .*, in (\S+) kg/s.*\n.*; (\S+)"
+                            rf" kg, from nowhere (\S+) kg", part)
                  for part in runLog.starts(log_of(self.case))]
         last = np.array([part[-1] for part in found if part], float)
-        return abs(last[:, 1].sum())/last[-1, 0]
+        inflow, there, _ = last[-1]
+        return abs(last[:, 2].sum())/(there + inflow*self.end)
 
     def least_ammonium(self):
         """Times, and the lowest of all cells over that of the fresh liquid: by
