@@ -193,6 +193,7 @@ inline Foam::vector Foam::cghs::suspension::accelerate
     motion& m = parcels.motions[i];
 
     const scalar K = rates_[i];
+    const scalar mass = m.mass();
     const vector u(c.u());
     const vector g(forces_.valid() ? forces_->field(i, g_) : g_);
     const vector field(g - (parcels.displaced(i)*m.invMass)*c.gradP());
@@ -200,9 +201,9 @@ inline Foam::vector Foam::cghs::suspension::accelerate
 
     m.v = (m.v + time*(K*u + field))/(1 + time*K);
 
-    impulse += (time*K/m.invMass)*(u - m.v);
+    impulse += (time*K*mass)*(u - m.v);
 
-    return m.mass()*(m.v - before - time*field);
+    return mass*(m.v - before - time*field);
 }
 
 
