@@ -75,19 +75,27 @@ void Foam::cghs::wallSurfaces::findContacts
     const sphere& s,
     const scalar distance,
     const label wallBody,
-    const scalar reach,
+    const scalar gap,
     DynamicList<near>& found,
     DynamicList<contact>& contacts,
     DynamicList<label>& faces
 ) const
 {
+    // Where the sphere meets a surface, from its centre
+    const auto distanceTo = [&](const label surface)
+    {
+        return surface == contact::parcelMirror ? s.r : distance;
+    };
+
     found.clear();
     contacts.clear();
     faces.clear();
 
     for (label k = start_[i]; k < start_[i + 1]; ++k)
     {
-        appendNear(candidates_[k], s, reach, found);
+        const label ti = candidates_[k];
+
+        appendNear(ti, s, distanceTo(triangles_[ti].surface) + gap, found);
     }
 
     std::sort
@@ -109,8 +117,9 @@ void Foam::cghs::wallSurfaces::findContacts
 
         for (const contact& c : contacts)
         {
-            hidden =
-                hidden || (f.d & c.n) > distance - c.overlap - nearness*s.r;
+            const scalar to = distanceTo(c.surface) - c.overlap;
+
+            hidden = hidden || (f.d & c.n) > to - nearness*s.r;
         }
 
         if (!hidden)
@@ -119,7 +128,15 @@ void Foam::cghs::wallSurfaces::findContacts
 
             contacts.append
             (
-                makeContact(i, body, f.surface, i, f.d, distance)
+                makeContact
+                (
+                    i,
+                    body,
+                    f.surface,
+                    i,
+                    f.d,
+                    distanceTo(f.surface)
+                )
             );
             faces.append(faces_[f.triangle]);
         }

@@ -5,6 +5,7 @@
 
 #include "packedLayer.H"
 #include "checkedEntry.H"
+#include "knownEntries.H"
 #include "addToRunTimeSelectionTable.H"
 
 #include <cmath>
@@ -23,9 +24,11 @@ Foam::cghs::packedLayer::packedLayer(const dictionary& coeffs)
 :
     layer_
     (
-        coeffs.found("layer") ? scalarInRange(coeffs, "layer", 0, 0.5) : 0.16
+        coeffs.found("layer") ? scalarInRange(coeffs, "layer", 0, 0.25) : 0.16
     )
-{}
+{
+    warnUnknownEntries(coeffs, wordList({"layer"}));
+}
 
 
 Foam::scalar Foam::cghs::packedLayer::of

@@ -15,7 +15,8 @@ Foam::cghs::roughImpacts::roughImpacts
     const scalar mu
 )
 :
-    slide_(mu*(1 + e)),
+    // From there on no impact slides, and differences of large numbers are lost
+    slide_(Foam::min(mu, scalar(1e6))*(1 + e)),
     stick_((1 + et)*2/7),
     normal_(1 - e*e)
 {}

@@ -81,15 +81,18 @@ Foam::scalar Foam::cghs::roughKineticTheory::ofParcel
 
     if (most < asked*(1 - 1e-6))
     {
-        WarningInFunction
-            << "Entry restitutionScaling roughKineticTheory in " << dict.name()
-            << nl << "    parcelWeight " << W << " is above "
-            << pow3(most/loss(particle, particle.e))
-            << ", the largest at which impacts of parcels can take as much"
-            << " energy as those of particles" << nl
-            << "    Parcels have restitutionCoefficient " << low
-            << ", by which they take " << 100*most/asked << " % of it"
-            << nl << endl;
+        if (warned_.insert(dict.name()))
+        {
+            WarningInFunction
+                << "Entry restitutionScaling roughKineticTheory for " << dict.name()
+                << nl << "    parcelWeight " << W << " is above "
+                << pow3(most/loss(particle, particle.e))
+                << ", the largest at which impacts of parcels can take as much"
+                << " energy as those of particles" << nl
+                << "    Parcels have restitutionCoefficient " << low
+                << ", by which they take " << 100*most/asked << " % of it" << nl
+                << "    Lower parcelWeight to keep all of it" << nl << endl;
+        }
 
         return low;
     }

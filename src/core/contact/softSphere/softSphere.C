@@ -141,14 +141,19 @@ Foam::cghs::softSphere::readTable
 
             if (type != contact::parcelWall)
             {
+                // What is dampened more than critically takes little more
+                // energy and much shorter steps
                 const scalar et = tangentialRestitution(springOf(e, mu).damping);
-                e = scaling->ofParcel
+                e = max
                 (
-                    surface,
-                    restitution{e, et, mu},
-                    parcelWeight
+                    scaling->ofParcel
+                    (
+                        surface,
+                        restitution{e, et, mu},
+                        parcelWeight
+                    ),
+                    min(e, restitutionOf(1))
                 );
-                e = max(e, SMALL);
             }
 
             springCoeffs k(springOf(e, mu));

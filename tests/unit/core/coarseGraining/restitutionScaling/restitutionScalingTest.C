@@ -180,6 +180,25 @@ TEST_CASE("roughKineticTheory is kineticTheory where nothing rubs",
 }
 
 
+TEST_CASE("roughKineticTheory gives the table of doc/theory.md",
+    "[coarseGraining]")
+{
+    // By a quadrature over the speeds of impacts, in another language
+    claim table("restitution.roughKineticTheoryTable", 1e-3);
+    const auto parcel = [](const scalar e, const scalar mu, const scalar W)
+    {
+        return scaled("roughKineticTheory", e, W, mu, 0.33);
+    };
+    table.see(mag(parcel(0.97, 0.01, 8) - 0.9225));
+    table.see(mag(parcel(0.97, 0.01, 27) - 0.8724));
+    table.see(mag(parcel(0.97, 0.1, 8) - 0.7984));
+    table.see(mag(parcel(0.97, 0.1, 27) - 0.5727));
+    table.see(mag(parcel(0.97, 0.3, 8) - 0.6779));
+    table.see(mag(parcel(0.9, 0.1, 8) - 0.6084));
+    table.settle();
+}
+
+
 TEST_CASE("roughKineticTheory keeps what impacts with friction take",
     "[coarseGraining]")
 {
