@@ -409,7 +409,7 @@ int main(int argc, char *argv[])
     // ---- The particle and its fluid ---------------------------------------
 
     const particleProperties particle(properties);
-    const scalar e = optionInRange(args, "voidage", 0.415, 0.25, 0.85);
+    const scalar e = optionInRange(args, "voidage", wenYuVoidage, 0.25, 0.85);
 
     particleInFluid p;
     p.d =
