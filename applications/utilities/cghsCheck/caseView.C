@@ -28,20 +28,30 @@ Foam::scalar Foam::cghs::caseView::crossSection() const
 }
 
 
-Foam::scalarField Foam::cghs::caseView::cellSizes() const
+Foam::scalar Foam::cghs::caseView::thickness() const
 {
     const vector free(freedom(mesh));
-    const vector span(mesh.bounds().span());
 
     for (direction d = 0; d < 3; ++d)
     {
         if (free[d] == 0)
         {
-            return sqrt(mesh.cellVolumes()/span[d]);
+            return mesh.bounds().span()[d];
         }
     }
+    return 0;
+}
 
-    return cbrt(mesh.cellVolumes());
+
+Foam::scalarField Foam::cghs::caseView::cellSizes() const
+{
+    const scalar thin = thickness();
+    const scalarField& volumes = mesh.cellVolumes();
+
+    return
+        thin > 0
+      ? scalarField(sqrt(volumes/thin))
+      : scalarField(cbrt(volumes));
 }
 
 

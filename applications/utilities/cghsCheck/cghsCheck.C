@@ -34,6 +34,7 @@ Usage
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
+#include "memInfo.H"
 #include "checks.H"
 #include "page.H"
 
@@ -92,6 +93,8 @@ int main(int argc, char *argv[])
     // That of the case is for its files
     Sout.precision(6);
 
+    const scalar memoryBefore = 1024.0*memInfo().rss();
+
     #include "createMesh.H"
 
 
@@ -99,7 +102,10 @@ int main(int argc, char *argv[])
 
     #include "createFields.H"
 
-    caseView view{runTime, mesh, g.value(), cloud, fluid, runTime.timeName()};
+    caseView view
+    {
+        runTime, mesh, g.value(), cloud, fluid, runTime.timeName(), memoryBefore
+    };
     findings found;
 
     const List<parcelKind> kinds(parcelKindsOf(view));
@@ -131,5 +137,12 @@ int main(int argc, char *argv[])
         checkEntriesRead(view, printed, found);
     }
 
-    return conclude(found, printed);
+    const int status = conclude(found, printed);
+
+    if (status)
+    {
+        // args, when it is taken down, would end the program with 0
+        Pstream::exit(status);
+    }
+    return 0;
 }

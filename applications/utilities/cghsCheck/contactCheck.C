@@ -144,8 +144,7 @@ void Foam::cghs::checkContact
         checkPairs
         (
             coeffs,
-            view.cloud.properties().subDict("constantProperties")
-           .get<scalar>("parcelWeight"),
+            view.constants().get<scalar>("parcelWeight"),
             view,
             found
         );

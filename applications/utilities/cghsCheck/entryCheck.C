@@ -69,7 +69,7 @@ class unreadEntries
             (
                 file,
                 path + name,
-                e.isDict() ? string("{...}") : textOf(valueOf(e))
+                e.isDict() ? string("{...}") : valueOf(e)
             ),
             "nothing has read it, but " + meant + " was asked for and is not"
             " there",

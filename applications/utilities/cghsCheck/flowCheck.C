@@ -141,11 +141,15 @@ static void checkSpecies
 }
 
 
-//- The range that all thermophysics of a case are made for [K]
+//- The range that all thermophysics of a case are made for [K]: only janaf says
 static scalarMinMax thermoRange(const dictionary& thermo)
 {
     scalarMinMax range(0, GREAT);
 
+    if (thermo.subDict("thermoType").get<word>("thermo") != "janaf")
+    {
+        return range;
+    }
     for (const entry& e : thermo)
     {
         if (e.isDict() && e.dict().isDict("thermodynamics"))

@@ -56,7 +56,12 @@ static void printKinds(const UList<parcelKind>& kinds)
 
 
 //- The share of the mesh in cells smaller than d
-static scalar shareBelow(const scalarField& sizes, const caseView& view, scalar d)
+static scalar shareBelow
+(
+    const scalarField& sizes,
+    const caseView& view,
+    const scalar d
+)
 {
     scalar below = 0;
     forAll(sizes, celli)
@@ -139,6 +144,16 @@ static void checkCells
 }
 
 
+//- Of a patch [m]: its length in two dimensions, else the root of its area
+static scalar openingOf(const fvPatch& patch, const caseView& view)
+{
+    const scalar area = gSum(patch.magSf());
+    const scalar thickness = view.thickness();
+
+    return thickness > 0 ? area/thickness : sqrt(area);
+}
+
+
 //- Patches that parcels have to pass, and the vessel itself
 static void checkWays
 (
@@ -161,8 +176,12 @@ static void checkWays
     {
         found.warn
         (
-            place(view.propertiesFile(), "parcelWeight", view.cloud.properties()
-               .subDict("constantProperties").get<scalar>("parcelWeight")),
+            place
+            (
+                view.propertiesFile(),
+                "parcelWeight",
+                view.constants().get<scalar>("parcelWeight")
+            ),
             textOf
             (
                 "parcels of ", d, " m are in a vessel only ", narrowest,
@@ -176,7 +195,7 @@ static void checkWays
     for (const label patchi : view.exits())
     {
         const fvPatch& patch = view.mesh.boundary()[patchi];
-        const scalar opening = sqrt(gSum(patch.magSf()));
+        const scalar opening = openingOf(patch, view);
 
         page::line
         (
@@ -187,11 +206,16 @@ static void checkWays
         {
             found.warn
             (
-                place(view.propertiesFile(), patch.name(), textOf(opening, " m")),
+                place
+                (
+                    view.propertiesFile(),
+                    "boundary." + patch.name(),
+                    textOf(opening, " m")
+                ),
                 textOf
                 (
                     "parcels of ", d, " m are to leave by an opening that is"
-                    " smaller than they are (root of its area)"
+                    " smaller than they are"
                 ),
                 "lower parcelWeight, or widen the patch"
             );

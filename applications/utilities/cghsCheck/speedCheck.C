@@ -6,9 +6,10 @@
 #include "checks.H"
 #include "page.H"
 #include "basicSpecieMixture.H"
-#include "cpuTime.H"
 #include "SolverPerformance.H"
 #include "memInfo.H"
+
+#include <ctime>
 
 namespace Foam
 {
@@ -17,6 +18,9 @@ namespace cghs
 
 //- A parcel that overlaps by more is thrown about at the start, of d [-]
 constexpr scalar deepOverlap = 0.2;
+
+//- A mass fraction that is not worth a look [-]
+constexpr scalar traces = 1e-4;
 
 //- Beyond, hardly anyone waits [s]
 constexpr scalar longRun = 30*86400.0;
@@ -39,6 +43,13 @@ struct costs
 
     scalar perFluidStep() const { return fluid/max(nSteps, 1); }
 };
+
+
+//- Of this program, which OpenFOAM's cpuTime counts in hundredths [s]
+static scalar coreTime()
+{
+    return scalar(std::clock())/CLOCKS_PER_SEC;
+}
 
 
 //- The parcels' part of a step: as the solver makes it
@@ -70,11 +81,11 @@ static void makeStep(caseView& view, costs& sum)
     ++view.runTime;
     const scalar deltaT = view.runTime.deltaTValue();
 
-    const cpuTime timer;
+    const scalar start = coreTime();
     moveParcels(view, deltaT);
-    const scalar solids = timer.elapsedCpuTime();
+    const scalar solids = coreTime() - start;
     solveFluid(view, deltaT);
-    const scalar whole = timer.elapsedCpuTime();
+    const scalar whole = coreTime() - start;
 
     ++sum.nSteps;
     sum.nSolidsSteps += view.cloud.log().nSolidsSteps;
@@ -94,7 +105,7 @@ static costs makeSteps(caseView& view, const scalar seconds)
     SolverPerformance<vector>::debug = 0;
 
     costs first, rest;
-    const cpuTime timer;
+    const scalar start = coreTime();
 
     makeStep(view, first);
     do
@@ -104,7 +115,7 @@ static costs makeSteps(caseView& view, const scalar seconds)
     while
     (
         rest.nSteps < 50
-     && returnReduce(timer.elapsedCpuTime(), maxOp<double>()) < seconds
+     && returnReduce(coreTime() - start, maxOp<scalar>()) < seconds
     );
 
     return rest;
@@ -217,8 +228,12 @@ static void printMemory(const caseView& view)
         page::line("memory of this rank [MB]", page::number(1e-6*all));
         page::line
         (
-            "bytes a cell, with all programs",
-            page::number(max(all - parcels, scalar(0))/view.mesh.nCells())
+            "bytes a cell",
+            page::number
+            (
+                max(all - view.memoryBefore - parcels, scalar(0))
+               /view.mesh.nCells()
+            )
         );
     }
 }
@@ -269,15 +284,26 @@ static void printReactionTimes(const caseView& view, const scalar deltaT)
             continue;
         }
 
-        const scalarField held
+        const scalarField content
         (
             view.fluid->alpha().primitiveField()
            *view.fluid->rho().primitiveField()
-           *view.fluid->field(name).primitiveField()
         );
         const scalarField used(-terms.given().primitiveField());
-        const scalar fastest =
-            gMax(scalarField(used/max(held + deltaT*used, VSMALL)));
+        const scalarField before
+        (
+            content*view.fluid->field(name).primitiveField() + deltaT*used
+        );
+        scalar fastest = 0;
+
+        forAll(before, celli)
+        {
+            if (before[celli] > traces*content[celli])
+            {
+                fastest = max(fastest, used[celli]/before[celli]);
+            }
+        }
+        reduce(fastest, maxOp<scalar>());
 
         if (fastest > 0)
         {
@@ -338,8 +364,11 @@ void Foam::cghs::checkSpeed
     page::line
     (
         "uncertainty",
-        "a factor of 2 or so: by the state at the start, on free cores of this"
-        " machine"
+        textOf
+        (
+            "a factor of 2 or so: by the state at the start, on ",
+            Pstream::nProcs(), " free cores of this machine"
+        )
     );
 
     checkOverlaps(view, found);

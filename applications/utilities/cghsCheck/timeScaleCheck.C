@@ -320,7 +320,7 @@ static void checkFluidStep
         adjusts
       ? textOf
         (
-            fluidStep(view), " s, Courant number ",
+            fluidStep(view), " s, maxCo ",
             control.getOrDefault<scalar>("maxCo", 1)
         )
       : string("as at first: adjustTimeStep is off")
