@@ -91,7 +91,9 @@ Foam::labelList Foam::cghs::caseView::exits() const
     const parcelBoundary& boundary = cloud.transportStage().boundary();
     DynamicList<label> patches;
 
-    for (label patchi = 0; patchi < mesh.boundaryMesh().nNonProcessor(); ++patchi)
+    const label nPatches = mesh.boundaryMesh().nNonProcessor();
+
+    for (label patchi = 0; patchi < nPatches; ++patchi)
     {
         if (boundary.escapes(patchi))
         {

@@ -56,8 +56,8 @@ static void checkPair
             where,
             textOf
             (
-                scaling.type(), " makes ", scaled, " of it at a parcelWeight of ",
-                W, ": parcels do not rebound at all"
+                scaling.type(), " makes ", scaled,
+                " of it at a parcelWeight of ", W, ": parcels do not rebound at all"
             ),
             "lower parcelWeight, or choose another restitutionScaling: see"
             " doc/theory.md for what each keeps"

@@ -285,7 +285,11 @@ static void checkFilling
         false
     );
 
-    if (view.runTime.value() > 0 || !IOobject(file).typeHeaderOk<IOdictionary>())
+    if
+    (
+        view.runTime.value() > 0
+     || !IOobject(file).typeHeaderOk<IOdictionary>()
+    )
     {
         return;
     }

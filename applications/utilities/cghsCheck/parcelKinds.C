@@ -31,7 +31,7 @@ static label rounded(const scalar value)
 }
 
 
-//- Add n parcels of one kind, whose d, rho and W are sums until they are divided
+//- Add parcels of one kind. d, rho and W are sums until they are divided
 static void add(kindTable& kinds, const parcelKind& k)
 {
     parcelKind& sum =

@@ -330,7 +330,12 @@ static void checkFluidStep
     {
         found.warn
         (
-            place("system/controlDict", "deltaT", control.get<scalar>("deltaT")),
+            place
+            (
+                "system/controlDict",
+                "deltaT",
+                control.get<scalar>("deltaT")
+            ),
             textOf
             (
                 "the Courant number is ", Courant, " at the start, and"
