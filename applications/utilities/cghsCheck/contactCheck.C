@@ -108,7 +108,9 @@ static void checkGravity(const caseView& view, findings& found)
 {
     page::line("gravity [m/s^2]", textOf(view.g));
 
-    if (mag(view.g) == 0)
+    const bool solids = !view.cloud.empty() || view.cloud.feeders().size();
+
+    if (mag(view.g) == 0 && solids)
     {
         found.warn
         (

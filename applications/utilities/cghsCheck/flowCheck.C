@@ -172,7 +172,20 @@ static void checkTemperature
     findings& found
 )
 {
-    const volScalarField& T = view.mesh.lookupObject<volScalarField>("T");
+    // As the file has it: thermophysics cut off what is beyond their range
+    const volScalarField T
+    (
+        IOobject
+        (
+            "T",
+            view.startTime,
+            view.mesh,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        ),
+        view.mesh
+    );
     const scalarMinMax range(thermoRange(view.fluid->thermo()));
 
     for (const inlet& it : inlets)

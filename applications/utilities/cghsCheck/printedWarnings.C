@@ -5,11 +5,13 @@
 
 #include "printedWarnings.H"
 
+#include <algorithm>
+#include <cctype>
+
 Foam::cghs::printedWarnings::printedWarnings()
 :
     terminal_(std::cout.rdbuf()),
-    within_(false),
-    count_(0)
+    within_(false)
 {
     std::cout.rdbuf(this);
 }
@@ -21,21 +23,41 @@ Foam::cghs::printedWarnings::~printedWarnings()
 }
 
 
+void Foam::cghs::printedWarnings::endWarning()
+{
+    if (within_)
+    {
+        text_ += current_;
+        current_.erase
+        (
+            std::remove_if
+            (
+                current_.begin(),
+                current_.end(),
+                [](const char c) { return std::isdigit(c) || c == '.'; }
+            ),
+            current_.end()
+        );
+        different_.insert(current_);
+    }
+    current_.clear();
+    within_ = false;
+}
+
+
 void Foam::cghs::printedWarnings::endLine()
 {
-    if (line_.find("--> FOAM Warning") != std::string::npos)
+    const bool begins = line_.find("--> FOAM Warning") != std::string::npos;
+
+    if (begins || line_.empty())
     {
-        within_ = true;
-        ++count_;
+        endWarning();
     }
-    else if (line_.empty())
-    {
-        within_ = false;
-    }
+    within_ = within_ || begins;
 
     if (within_)
     {
-        text_ += line_ + '\n';
+        current_ += line_ + '\n';
     }
     line_.clear();
 }

@@ -31,7 +31,13 @@ Foam::dictionary::const_searcher Foam::dictionary::csearch
     );
 
     const const_searcher finder(librarys(this, keyword, matchOpt));
-    cghs::readLog::log().note(*this, keyword, finder.ptr());
+    cghs::readLog::log().note
+    (
+        *this,
+        keyword,
+        finder.ptr(),
+        matchOpt == keyType::LITERAL
+    );
 
     return finder;
 }
@@ -50,18 +56,28 @@ void Foam::cghs::readLog::note
 (
     const dictionary& dict,
     const word& asked,
-    const entry* found
+    const entry* found,
+    const bool literal
 )
 {
     questions& q = byDictionary_(dict.name());
 
     if (found)
     {
-        q.found.insert(found->keyword());
+        (literal ? q.literal : q.found).insert(found->keyword());
     }
     else
     {
         q.missed.insert(asked);
+    }
+}
+
+
+void Foam::cghs::readLog::forgetParsing()
+{
+    forAllIters(byDictionary_, it)
+    {
+        it().literal.clear();
     }
 }
 
@@ -74,7 +90,9 @@ bool Foam::cghs::readLog::found
 {
     const auto q = byDictionary_.cfind(dict.name());
 
-    return q.found() && q().found.found(keyword);
+    return
+        q.found()
+     && (q().found.found(keyword) || q().literal.found(keyword));
 }
 
 
@@ -82,7 +100,7 @@ bool Foam::cghs::readLog::anyFound(const dictionary& dict) const
 {
     const auto q = byDictionary_.cfind(dict.name());
 
-    return q.found() && q().found.size();
+    return q.found() && (q().found.size() || q().literal.size());
 }
 
 
