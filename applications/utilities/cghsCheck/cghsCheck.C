@@ -37,7 +37,6 @@ Usage
 #include "memInfo.H"
 #include "checks.H"
 #include "page.H"
-#include "readLog.H"
 
 using namespace Foam::cghs;
 
@@ -90,9 +89,6 @@ int main(int argc, char *argv[])
 
     #include "setRootCaseLists.H"
     #include "createTime.H"
-
-    // OpenFOAM reads controlDict twice
-    readLog::log().forgetParsing();
 
     // That of the case is for its files
     Sout.precision(6);

@@ -31,13 +31,7 @@ Foam::dictionary::const_searcher Foam::dictionary::csearch
     );
 
     const const_searcher finder(librarys(this, keyword, matchOpt));
-    cghs::readLog::log().note
-    (
-        *this,
-        keyword,
-        finder.ptr(),
-        matchOpt == keyType::LITERAL
-    );
+    cghs::readLog::log().note(*this, keyword, finder.ptr());
 
     return finder;
 }
@@ -56,28 +50,18 @@ void Foam::cghs::readLog::note
 (
     const dictionary& dict,
     const word& asked,
-    const entry* found,
-    const bool literal
+    const entry* found
 )
 {
     questions& q = byDictionary_(dict.name());
 
     if (found)
     {
-        (literal ? q.literal : q.found).insert(found->keyword());
+        q.found.insert(found->keyword());
     }
     else
     {
         q.missed.insert(asked);
-    }
-}
-
-
-void Foam::cghs::readLog::forgetParsing()
-{
-    forAllIters(byDictionary_, it)
-    {
-        it().literal.clear();
     }
 }
 
@@ -90,9 +74,7 @@ bool Foam::cghs::readLog::found
 {
     const auto q = byDictionary_.cfind(dict.name());
 
-    return
-        q.found()
-     && (q().found.found(keyword) || q().literal.found(keyword));
+    return q.found() && q().found.found(keyword);
 }
 
 
@@ -100,12 +82,14 @@ bool Foam::cghs::readLog::anyFound(const dictionary& dict) const
 {
     const auto q = byDictionary_.cfind(dict.name());
 
-    return q.found() && (q().found.size() || q().literal.size());
+    return q.found() && q().found.size();
 }
 
 
 Foam::wordList Foam::cghs::readLog::missed(const dictionary& dict) const
 {
+    // Not by a search, which would be noted
+    const wordHashSet there(dict.toc());
     DynamicList<word> names;
     const auto q = byDictionary_.cfind(dict.name());
 
@@ -113,9 +97,11 @@ Foam::wordList Foam::cghs::readLog::missed(const dictionary& dict) const
     {
         for (const string& name : q().missed.sortedToc())
         {
-            if (!dict.found(name, keyType::LITERAL))
+            const word asked(name, false);
+
+            if (!there.found(asked))
             {
-                names.append(word(name, false));
+                names.append(asked);
             }
         }
     }
