@@ -28,6 +28,9 @@ class unreadEntries
 
     label nEntries_ = 0;
 
+    //- Files that have been looked at: some are registered under two names
+    HashSet<fileName> seen_;
+
 
     //- Has anyone looked it up, or come upon it and read its value?
     static bool isRead(const entry& e, const dictionary& dict)
@@ -106,8 +109,7 @@ public:
         const string& path = ""
     )
     {
-        // Nobody has been here: it lies ready as a whole
-        if (!readLog::log().anyFound(dict))
+        if (path.empty() && !seen_.insert(dict.name()))
         {
             return;
         }
@@ -120,13 +122,13 @@ public:
             }
 
             ++nEntries_;
-            if (!isRead(e, dict))
-            {
-                judge(e, dict, file, path);
-            }
-            else if (e.isDict())
+            if (e.isDict() && readLog::log().anyFound(e.dict()))
             {
                 look(e.dict(), file, path + e.keyword() + '.');
+            }
+            else if (!isRead(e, dict))
+            {
+                judge(e, dict, file, path);
             }
         }
     }
