@@ -57,7 +57,8 @@ static void checkPair
             textOf
             (
                 scaling.type(), " makes ", scaled,
-                " of it at a parcelWeight of ", W, ": parcels do not rebound at all"
+                " of it at a parcelWeight of ", W,
+                ": parcels do not rebound at all"
             ),
             "lower parcelWeight, or choose another restitutionScaling: see"
             " doc/theory.md for what each keeps"
