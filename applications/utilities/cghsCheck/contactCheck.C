@@ -29,7 +29,19 @@ static void checkPair
 )
 {
     const scalar e = pair.get<scalar>("restitutionCoefficient");
-    const scalar scaled = scaling.ofParcel(pair, e, W);
+
+    // Soft spheres are not given the tangential one: their springs have this
+    const restitution particles
+    {
+        e,
+        pair.getOrDefault<scalar>
+        (
+            "tangentialRestitutionCoefficient",
+            pow(e, 1.75)
+        ),
+        pair.get<scalar>("frictionCoefficient")
+    };
+    const scalar scaled = scaling.ofParcel(pair, particles, W);
 
     page::line(name, textOf(e, " of particles, ", scaled, " of parcels"));
 
