@@ -56,6 +56,7 @@ def draw(runs, folder):
                              np.full(near.sum(), size), a[near], (0, 1))
         R = 0.5*run.reactor.diameter
         axes.set_xlim(-R, R)
+        axes.set_xticks([-R, R])
         axes.set_ylim(0, 0.64*run.reactor.scale)
         if run.reactor.width > run.reactor.scale:
             axes.set_aspect("auto")
