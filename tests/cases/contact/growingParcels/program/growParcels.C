@@ -212,6 +212,7 @@ int main(int argc, char *argv[])
     contactStage contacts
     (
         autoPtr<contactModel>(new impactOfAll),
+        wallDistance::New(dictionary()),
         0.5,
         mesh,
         motion.boundary().wallPatches(),
