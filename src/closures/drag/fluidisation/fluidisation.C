@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "fluidisation.H"
+#include "turningPoint.H"
 
 Foam::scalar Foam::cghs::particleInFluid::weight() const
 {
@@ -63,13 +64,7 @@ Foam::scalar Foam::cghs::carryingVelocity
         high *= 2;
     }
 
-    scalar low = 0;
-    for (scalar U = 0.5*high; U > low && U < high; U = 0.5*(low + high))
-    {
-        (carries(U) ? high : low) = U;
-    }
-
-    return high;
+    return turningPoint(0, high, [&](const scalar U) { return !carries(U); });
 }
 
 

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "roughImpacts.H"
+#include "turningPoint.H"
 #include "mathematicalConstants.H"
 
 #include <cmath>
@@ -68,17 +69,16 @@ Foam::scalar Foam::cghs::roughImpacts::steady() const
 
     // Without spins rotation gains; with 3.5 times the energy it loses, as an
     // impact that sticks passes it on
-    scalar low = 1, high = 2;
-    while (ofRotation(high) < 0)
+    const auto gains = [&](const scalar lambda)
+    {
+        return ofRotation(lambda) < 0;
+    };
+
+    scalar high = 2;
+    while (gains(high))
     {
         high *= 2;
     }
 
-    for (label i = 0; i < 60; ++i)
-    {
-        const scalar middle = 0.5*(low + high);
-        (ofRotation(middle) < 0 ? low : high) = middle;
-    }
-
-    return 0.5*(low + high);
+    return turningPoint(1, high, gains);
 }

@@ -5,6 +5,7 @@
 
 #include "roughKineticTheory.H"
 #include "roughImpacts.H"
+#include "turningPoint.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -75,8 +76,7 @@ Foam::scalar Foam::cghs::roughKineticTheory::ofParcel
 
     const scalar asked = cbrt(W)*loss(particle, particle.e);
 
-    scalar low = min(mostDissipative(particle), particle.e);
-    scalar high = particle.e;
+    const scalar low = min(mostDissipative(particle), particle.e);
     const scalar most = loss(particle, low);
 
     if (most < asked*(1 - 1e-6))
@@ -97,11 +97,10 @@ Foam::scalar Foam::cghs::roughKineticTheory::ofParcel
         return low;
     }
 
-    for (label i = 0; i < 60; ++i)
-    {
-        const scalar middle = 0.5*(low + high);
-        (loss(particle, middle) > asked ? low : high) = middle;
-    }
-
-    return 0.5*(low + high);
+    return turningPoint
+    (
+        low,
+        particle.e,
+        [&](const scalar e) { return loss(particle, e) > asked; }
+    );
 }

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "softSphere.H"
+#include "turningPoint.H"
 #include "hardSphereImpulse.H"
 #include "surfaceTable.H"
 #include "frictionEntries.H"
@@ -20,26 +21,6 @@ namespace cghs
 
     using constant::mathematical::pi;
 
-
-    //- Factor on the spring constant of a particle, for parcels of W
-    static scalar stiffnessFactor
-    (
-        const softSphere::stiffnessScaling scaling,
-        const scalar W
-    )
-    {
-        switch (scaling)
-        {
-            case softSphere::stiffnessScaling::proportional:
-                return W;
-
-            case softSphere::stiffnessScaling::energyDensity:
-                return Foam::cbrt(W);
-
-            default:
-                return 1;
-        }
-    }
 }
 }
 
@@ -50,6 +31,49 @@ Foam::cghs::softSphere::stiffnessScalingNames
     { stiffnessScaling::proportional, "proportional" },
     { stiffnessScaling::energyDensity, "energyDensity" }
 });
+
+
+Foam::scalar Foam::cghs::softSphere::stiffnessOfParcel
+(
+    const dictionary& coeffs,
+    const scalar parcelWeight
+)
+{
+    const scalar particles = positiveScalar(coeffs, "springConstant");
+
+    switch (stiffnessScalingNames.get("stiffnessScaling", coeffs))
+    {
+        case stiffnessScaling::proportional:
+            return parcelWeight*particles;
+
+        case stiffnessScaling::energyDensity:
+            return Foam::cbrt(parcelWeight)*particles;
+
+        default:
+            return particles;
+    }
+}
+
+
+Foam::scalar Foam::cghs::softSphere::restitutionOfParcel
+(
+    const dictionary& surface,
+    const restitutionScaling& scaling,
+    const scalar parcelWeight
+)
+{
+    const scalar e = surface.get<scalar>("restitutionCoefficient");
+    const scalar mu = surface.get<scalar>("frictionCoefficient");
+    const scalar et = tangentialRestitution(springOf(e, mu).damping);
+
+    // What is dampened more than critically takes little more energy and much
+    // shorter steps
+    return max
+    (
+        scaling.ofParcel(surface, restitution{e, et, mu}, parcelWeight),
+        min(e, restitutionOf(1))
+    );
+}
 
 
 Foam::scalar Foam::cghs::softSphere::restitutionOf(const scalar damping)
@@ -89,16 +113,14 @@ Foam::cghs::softSphere::springCoeffs Foam::cghs::softSphere::springOf
 )
 {
     // Restitution falls with damping, from 1 to about 1/(2 damping)^2
-    scalar low = 0;
-    scalar high = 1 + 1/sqrt(e);
+    const scalar damping = turningPoint
+    (
+        0,
+        1 + 1/sqrt(e),
+        [&](const scalar zeta) { return restitutionOf(zeta) > e; }
+    );
 
-    for (label i = 0; i < 100; ++i)
-    {
-        const scalar middle = 0.5*(low + high);
-        (restitutionOf(middle) > e ? low : high) = middle;
-    }
-
-    return springCoeffs{0.5*(low + high), mu, 0};
+    return springCoeffs{damping, mu, 0};
 }
 
 
@@ -137,23 +159,12 @@ Foam::cghs::softSphere::readTable
             );
 
             scalar e = scalarInRange(surface, "restitutionCoefficient", SMALL, 1);
-            scalar mu = scalarInRange(surface, "frictionCoefficient", 0, GREAT);
+            const scalar mu =
+                scalarInRange(surface, "frictionCoefficient", 0, GREAT);
 
             if (type != contact::parcelWall)
             {
-                // What is dampened more than critically takes little more
-                // energy and much shorter steps
-                const scalar et = tangentialRestitution(springOf(e, mu).damping);
-                e = max
-                (
-                    scaling->ofParcel
-                    (
-                        surface,
-                        restitution{e, et, mu},
-                        parcelWeight
-                    ),
-                    min(e, restitutionOf(1))
-                );
+                e = restitutionOfParcel(surface, *scaling, parcelWeight);
             }
 
             springCoeffs k(springOf(e, mu));
@@ -172,15 +183,7 @@ Foam::cghs::softSphere::softSphere
 )
 :
     contactModel(materialsOf(dict)),
-    stiffness_
-    (
-        positiveScalar(dict, "springConstant")
-       *stiffnessFactor
-        (
-            stiffnessScalingNames.get("stiffnessScaling", dict),
-            parcelWeight
-        )
-    ),
+    stiffness_(stiffnessOfParcel(dict, parcelWeight)),
     coeffs_(readTable(dict, parcelWeight)),
     warned_(false)
 {}
