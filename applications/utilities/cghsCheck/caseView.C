@@ -7,6 +7,31 @@
 #include "meshFreedom.H"
 #include "PstreamReduceOps.H"
 
+bool Foam::cghs::caseView::adjusts() const
+{
+    return
+        fluid.valid()
+     && runTime.controlDict().getOrDefault<bool>("adjustTimeStep", false);
+}
+
+
+Foam::scalar Foam::cghs::caseView::longestFluidStep() const
+{
+    const dictionary& control = runTime.controlDict();
+
+    return
+        adjusts()
+      ? control.getOrDefault<scalar>("maxDeltaT", GREAT)
+      : control.get<scalar>("deltaT");
+}
+
+
+Foam::scalar Foam::cghs::caseView::largestCourant() const
+{
+    return runTime.controlDict().getOrDefault<scalar>("maxCo", 1);
+}
+
+
 Foam::scalar Foam::cghs::caseView::volume() const
 {
     return gSum(mesh.cellVolumes());

@@ -125,7 +125,7 @@ int main(int argc, char *argv[])
     }
     checkTimeScales(view, kinds, inlets, found);
     checkPacking(view, kinds, found);
-    checkFlows(view, inlets, found);
+    checkFlows(view, kinds, inlets, found);
     checkControl(view, found);
 
 

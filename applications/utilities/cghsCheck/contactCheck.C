@@ -5,7 +5,7 @@
 
 #include "checks.H"
 #include "page.H"
-#include "restitutionScaling.H"
+#include "softSphere.H"
 #include "surfaceTable.H"
 
 namespace Foam
@@ -15,6 +15,30 @@ namespace cghs
 
 //- A parcel of less hardly rebounds: what follows may be meant, seldom is [-]
 constexpr scalar leastRestitution = 0.1;
+
+
+//- As the contact model of the case has it
+static scalar ofParcel
+(
+    const dictionary& pair,
+    const restitutionScaling& scaling,
+    const scalar W,
+    const caseView& view
+)
+{
+    if (view.contactModelName() == softSphere::typeName)
+    {
+        return softSphere::restitutionOfParcel(pair, scaling, W);
+    }
+
+    const restitution particles
+    {
+        pair.get<scalar>("restitutionCoefficient"),
+        pair.getOrDefault<scalar>("tangentialRestitutionCoefficient", 0),
+        pair.getOrDefault<scalar>("frictionCoefficient", 0)
+    };
+    return scaling.ofParcel(pair, particles, W);
+}
 
 
 //- The restitution of a pair of kinds, as particles and as parcels have it
@@ -29,19 +53,7 @@ static void checkPair
 )
 {
     const scalar e = pair.get<scalar>("restitutionCoefficient");
-
-    // Soft spheres are not given the tangential one: their springs have this
-    const restitution particles
-    {
-        e,
-        pair.getOrDefault<scalar>
-        (
-            "tangentialRestitutionCoefficient",
-            pow(e, 1.75)
-        ),
-        pair.get<scalar>("frictionCoefficient")
-    };
-    const scalar scaled = scaling.ofParcel(pair, particles, W);
+    const scalar scaled = ofParcel(pair, scaling, W, view);
 
     page::line(name, textOf(e, " of particles, ", scaled, " of parcels"));
 
@@ -149,11 +161,7 @@ void Foam::cghs::checkContact
 
     const dictionary& coeffs = view.coeffsOf("contactModel");
 
-    page::line
-    (
-        "contactModel",
-        view.subModels().get<word>("contactModel")
-    );
+    page::line("contactModel", view.contactModelName());
     if (coeffs.found("restitutionScaling"))
     {
         checkPairs

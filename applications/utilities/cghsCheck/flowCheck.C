@@ -17,9 +17,6 @@ namespace cghs
 //- By which mass fractions may miss 1 [-]
 constexpr scalar sumTolerance = 1e-3;
 
-//- Of settled solids [-]
-constexpr scalar settled = 0.6;
-
 
 //- What comes in with the fluid of a patch: sum of (mass flow times q)
 static scalar carriedIn
@@ -290,7 +287,12 @@ static scalar rateOf(const dictionary& feeder, const caseView& view)
 
 
 //- Solids that are fed need a way out, or room until the run ends
-static void checkFeeders(const caseView& view, findings& found)
+static void checkFeeders
+(
+    const caseView& view,
+    const UList<parcelKind>& kinds,
+    findings& found
+)
 {
     const dictionary& feeding =
         view.cloud.properties().subOrEmptyDict("feeding");
@@ -314,12 +316,12 @@ static void checkFeeders(const caseView& view, findings& found)
 
     const scalar left = view.runTime.endTime().value() - view.runTime.value();
     scalar rho = 0, mass = 0;
-    for (const parcelKind& k : parcelKindsOf(view))
+    for (const parcelKind& k : kinds)
     {
         rho = max(rho, k.rho);
         mass += k.mass;
     }
-    const scalar room = settled*view.volume()*rho - mass;
+    const scalar room = looselyPacked*view.volume()*rho - mass;
 
     if (view.exits().empty() && rate*left > room)
     {
@@ -343,6 +345,7 @@ static void checkFeeders(const caseView& view, findings& found)
 void Foam::cghs::checkFlows
 (
     caseView& view,
+    const UList<parcelKind>& kinds,
     const UList<inlet>& inlets,
     findings& found
 )
@@ -363,5 +366,5 @@ void Foam::cghs::checkFlows
         }
         checkOutlet(inlets, view, found);
     }
-    checkFeeders(view, found);
+    checkFeeders(view, kinds, found);
 }

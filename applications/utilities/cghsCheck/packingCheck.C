@@ -15,9 +15,6 @@ namespace cghs
 //- No random packing of equal spheres is denser [-]
 constexpr scalar randomClosePacking = 0.64;
 
-//- That of a bed that has settled [-]
-constexpr scalar looselyPacked = 0.6;
-
 //- Cells over the limit that are no matter of single parcels [-]
 constexpr scalar fewCells = 0.01;
 

@@ -223,3 +223,14 @@ Foam::scalar Foam::cghs::largestParcel(const UList<parcelKind>& kinds)
     }
     return d;
 }
+
+
+Foam::scalar Foam::cghs::smallestParcel(const UList<parcelKind>& kinds)
+{
+    scalar d = GREAT;
+    for (const parcelKind& k : kinds)
+    {
+        d = min(d, k.parcelDiameter());
+    }
+    return d;
+}

@@ -30,6 +30,14 @@ Foam::dictionary::const_searcher Foam::dictionary::csearch
         )
     );
 
+    if (!librarys)
+    {
+        FatalErrorInFunction
+            << "This OpenFOAM has another dictionary::csearch than v1912" << nl
+            << "Its name is to be mended in readLog.C" << nl
+            << abort(FatalError);
+    }
+
     const const_searcher finder(librarys(this, keyword, matchOpt));
     cghs::readLog::log().note(*this, keyword, finder.ptr());
 

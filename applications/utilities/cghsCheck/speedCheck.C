@@ -125,14 +125,9 @@ static costs makeSteps(caseView& view, const scalar seconds)
 //- The step of the fluid that a run will make [s], by the present flow
 static scalar expectedFluidStep(const caseView& view)
 {
-    const dictionary& control = view.runTime.controlDict();
     const scalar deltaT = view.runTime.deltaTValue();
 
-    if
-    (
-        !view.fluid.valid()
-     || !control.getOrDefault<bool>("adjustTimeStep", false)
-    )
+    if (!view.adjusts())
     {
         return deltaT;
     }
@@ -141,8 +136,8 @@ static scalar expectedFluidStep(const caseView& view)
 
     return min
     (
-        control.getOrDefault<scalar>("maxDeltaT", GREAT),
-        deltaT*control.getOrDefault<scalar>("maxCo", 1)/max(Courant, VSMALL)
+        view.longestFluidStep(),
+        deltaT*view.largestCourant()/max(Courant, VSMALL)
     );
 }
 
@@ -157,12 +152,7 @@ static scalar expectedSolidsSteps
     const scalar fluidStep
 )
 {
-    scalar d = GREAT;
-    for (const parcelKind& k : kinds)
-    {
-        d = min(d, k.parcelDiameter());
-    }
-
+    const scalar d = smallestParcel(kinds);
     const scalar flow = view.fluid.valid() ? meanVelocity(inlets, view) : 0;
 
     return ceil

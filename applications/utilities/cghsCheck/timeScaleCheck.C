@@ -94,10 +94,7 @@ static void printDragTimes
     }
     for (const parcelKind& k : kinds)
     {
-        const particleInFluid p
-        {
-            k.d, k.rho, view.rho(), view.mu(), mag(view.g)
-        };
+        const particleInFluid p(view.particle(k.d, k.rho));
 
         page::line
         (
@@ -132,10 +129,7 @@ static void printHeatTimes
     );
     for (const parcelKind& k : kinds)
     {
-        const particleInFluid p
-        {
-            k.d, k.rho, view.rho(), view.mu(), mag(view.g)
-        };
+        const particleInFluid p(view.particle(k.d, k.rho));
         const scalar time = heatTime(p, Cp, law(), view.fluid->thermo());
 
         page::line
@@ -155,27 +149,20 @@ static scalar contactTime
     const UList<parcelKind>& kinds
 )
 {
-    if (view.subModels().get<word>("contactModel") != softSphere::typeName)
+    if (view.contactModelName() != softSphere::typeName)
     {
         return GREAT;
     }
 
-    const dictionary& coeffs = view.coeffsOf("contactModel");
-    const auto scaling =
-        softSphere::stiffnessScalingNames.get("stiffnessScaling", coeffs);
+    const scalar stiffness = softSphere::stiffnessOfParcel
+    (
+        view.coeffsOf("contactModel"),
+        view.constants().get<scalar>("parcelWeight")
+    );
     scalar least = GREAT;
 
     for (const parcelKind& k : kinds)
     {
-        const scalar W = k.W;
-        const scalar stiffness =
-            coeffs.get<scalar>("springConstant")
-           *(
-                scaling == softSphere::stiffnessScaling::proportional ? W
-              : scaling == softSphere::stiffnessScaling::energyDensity ? cbrt(W)
-              : 1
-            );
-
         least = min
         (
             least,
@@ -227,17 +214,6 @@ static void checkContactTime
 }
 
 
-static scalar leastDiameter(const UList<parcelKind>& kinds)
-{
-    scalar d = GREAT;
-    for (const parcelKind& k : kinds)
-    {
-        d = min(d, k.parcelDiameter());
-    }
-    return d;
-}
-
-
 //- How far parcels at rest fall in a step
 static void checkFall
 (
@@ -280,62 +256,36 @@ static void checkFall
 }
 
 
-//- Steps of the fluid as controlDict has them. The longest [s]
-static scalar fluidStep(const caseView& view)
-{
-    const dictionary& control = view.runTime.controlDict();
-    const scalar deltaT = control.get<scalar>("deltaT");
-
-    return
-        view.fluid.valid()
-     && control.getOrDefault<bool>("adjustTimeStep", false)
-      ? control.getOrDefault<scalar>("maxDeltaT", GREAT)
-      : deltaT;
-}
-
-
 static void checkFluidStep
 (
     const caseView& view,
     findings& found
 )
 {
-    const dictionary& control = view.runTime.controlDict();
-    const bool adjusts =
-        control.getOrDefault<bool>("adjustTimeStep", false);
+    const scalar deltaT = view.runTime.controlDict().get<scalar>("deltaT");
     const scalar Courant = view.fluid->courantNumber();
 
     page::line
     (
         "fluid step",
-        textOf
-        (
-            control.get<scalar>("deltaT"), " s at first, Courant number ",
-            Courant
-        )
+        textOf(deltaT, " s at first, Courant number ", Courant)
     );
     page::line
     (
         "fluid step at most",
-        adjusts
+        view.adjusts()
       ? textOf
         (
-            fluidStep(view), " s, maxCo ",
-            control.getOrDefault<scalar>("maxCo", 1)
+            view.longestFluidStep(), " s, maxCo ", view.largestCourant()
         )
       : string("as at first: adjustTimeStep is off")
     );
 
-    if (!adjusts && Courant > 1)
+    if (!view.adjusts() && Courant > 1)
     {
         found.warn
         (
-            place
-            (
-                "system/controlDict",
-                "deltaT",
-                control.get<scalar>("deltaT")
-            ),
+            place("system/controlDict", "deltaT", deltaT),
             textOf
             (
                 "the Courant number is ", Courant, " at the start, and"
@@ -344,7 +294,7 @@ static void checkFluidStep
             textOf
             (
                 "set adjustTimeStep yes and maxCo 1, or a deltaT below ",
-                control.get<scalar>("deltaT")/Courant
+                deltaT/Courant
             )
         );
     }
@@ -375,17 +325,18 @@ void Foam::cghs::checkTimeScales
         return;
     }
 
-    const scalar d = leastDiameter(kinds);
+    const scalar d = smallestParcel(kinds);
     const scalar flow =
         view.fluid.valid() ? meanVelocity(inlets, view) : 0;
+    const scalar longest = view.longestFluidStep();
     const scalar atRest =
-        min(view.solidsStep(d, view.largestSpeed()), fluidStep(view));
+        min(view.solidsStep(d, view.largestSpeed()), longest);
 
     page::line("solids step now", textOf(atRest, " s"));
     page::line
     (
         "solids step at the flow's speed",
-        textOf(min(view.solidsStep(d, flow), fluidStep(view)), " s")
+        textOf(min(view.solidsStep(d, flow), longest), " s")
     );
     checkContactTime(view, kinds, atRest, found);
     checkFall(view, d, atRest, found);

@@ -5,7 +5,6 @@
 
 #include "checks.H"
 #include "page.H"
-#include "fluidisation.H"
 #include "noDrag.H"
 
 namespace Foam
@@ -19,12 +18,6 @@ struct bounds
     scalar Umf = GREAT;
     scalar Ut = GREAT;
 };
-
-
-static particleInFluid particleOf(const parcelKind& k, const caseView& view)
-{
-    return particleInFluid{k.d, k.rho, view.rho(), view.mu(), mag(view.g)};
-}
 
 
 //- A row for each kind. The least of all
@@ -46,7 +39,7 @@ static bounds printVelocities
     bounds least;
     for (const parcelKind& k : kinds)
     {
-        const particleInFluid p(particleOf(k, view));
+        const particleInFluid p(view.particle(k.d, k.rho));
         const scalar Umf = carryingVelocity(law, p, wenYuVoidage);
         const scalar Ut = carryingVelocity(law, p, 1);
 
