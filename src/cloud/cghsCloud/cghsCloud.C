@@ -393,13 +393,16 @@ void Foam::cghs::cghsCloud::evolve(const scalar deltaT)
         );
     }
 
+    // Where there is no parcel one solids step is as good as many
+    const bool nobody = empty();
     scalar remaining = deltaT;
 
     while (remaining > 0)
     {
         // Speeds change from one solids step to the next: so does their
         // number, seen from each
-        const scalar n = ceil(remaining/solidsDeltaT() - SMALL);
+        const scalar n =
+            nobody ? 1 : ceil(remaining/solidsDeltaT() - SMALL);
         const bool last = n <= 1;
 
         checkSteps(n, remaining);
