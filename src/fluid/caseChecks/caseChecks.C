@@ -79,3 +79,37 @@ void Foam::cghs::checkSolids
             << exit(FatalIOError);
     }
 }
+
+
+void Foam::cghs::checkFrozen(const dictionary& piso, const cghsCloud& cloud)
+{
+    if (cloud.coupling() == cghsCloud::couplingType::twoWay)
+    {
+        FatalIOErrorInFunction(piso)
+            << "Entry frozenFlow is yes, but the flow has to give way to the"
+            << " parcels of " << cloud.name() << ": their coupling is twoWay"
+            << nl << "Choose coupling oneWay in the solution of "
+            << cloud.name() << "Properties, or frozenFlow no" << nl
+            << exit(FatalIOError);
+    }
+}
+
+
+void Foam::cghs::checkFrozenDensity
+(
+    const dictionary& solution,
+    const bool stays
+)
+{
+    if (!stays)
+    {
+        FatalIOErrorInFunction(solution)
+            << "Entry transported is "
+            << solution.get<wordList>("transported") << ", by which the"
+            << " density of a gas changes, but its flow is to stay as it is:"
+            << " frozenFlow is yes in PISO" << nl
+            << "Transport nothing, choose fluid incompressible, or frozenFlow"
+            << " no" << nl
+            << exit(FatalIOError);
+    }
+}

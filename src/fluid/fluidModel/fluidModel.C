@@ -90,6 +90,7 @@ Foam::cghs::fluidModel::fluidModel
         cloud.plates()
     ),
     piso_(mesh),
+    frozen_(piso_.frozenFlow()),
     g_(g),
     transported_(cloud.properties().subDict("solution")),
     minVoidage_
@@ -136,6 +137,10 @@ Foam::cghs::fluidModel::fluidModel
     checkTransient(mesh);
     checkPressure(p_, pressure);
     checkSolids(alpha_, cloud);
+    if (frozen_)
+    {
+        checkFrozen(pisoDict(), cloud);
+    }
     balanceWalls(p_, U_);
     mesh_.setFluxRequired(p_.name());
     gravity_.reset(new faceGravity(p_, g_));
@@ -179,6 +184,10 @@ Foam::cghs::fluidModel::New
     );
 
     fluid->transported_.make(solution, fluid());
+    if (fluid->frozen_ && !fluid->transported_.empty())
+    {
+        checkFrozenDensity(solution, fluid->densityStays());
+    }
     fluid->options_ = &fv::options::New(mesh);
 
     return fluid;
@@ -670,9 +679,36 @@ void Foam::cghs::fluidModel::solveAlone(const cghsCloud& cloud)
 }
 
 
+void Foam::cghs::fluidModel::solveInFrozenFlow(const cghsCloud& cloud)
+{
+    if (transported_.empty())
+    {
+        return;
+    }
+
+    addProfiling(fluid, "cghs::fluid");
+
+    nPasses_ = 1;
+    parcelMass_ = massTerms();
+
+    solveTransported
+    (
+        momentumDensity()*wholeFlux(),
+        cloud,
+        []() { return true; }
+    );
+    measureContinuity();
+    transported_.finishStep();
+}
+
+
 void Foam::cghs::fluidModel::solve(cghsCloud& cloud)
 {
-    if (cloud.isFelt())
+    if (frozen_)
+    {
+        solveInFrozenFlow(cloud);
+    }
+    else if (cloud.isFelt())
     {
         momentum& solids = cloud.momentumExchange();
 

@@ -28,7 +28,8 @@ FEATURES = {
     "state": ((), 2*88),            # x, r, v, 1/m, W, d, cell, number
     "contacts": (("contactList", "contact"), 2*4),      # the former index
     "spin": ((), 2*24),             # omega; its time is in contact
-    "fluid": (("fluid", "mapping", "complete"), 2*8),   # the rate of drag
+    "drag": (("mapping", "complete"), 2*8),     # its rate
+    "fluid": (("fluid",), 0),
     "heat": (("heat", "conduction", "radiation"), 2*16),   # T, conductance
     "energy": (("energy",), 0),
     "reactions": (("reactions",), 2*32),        # C, H, catalyst, mass gained
@@ -36,15 +37,16 @@ FEATURES = {
     "feeding": (("feed",), 0),      # and taking out what is used up
 }
 SCENES = {
-    "kinematic": "state contacts fluid",
-    "spinning": "state contacts fluid spin",
-    "hot": "state contacts fluid spin heat energy",
-    "reacting": "state contacts fluid spin heat energy reactions species"
+    "kinematic": "state contacts drag fluid",
+    "spinning": "state contacts drag fluid spin",
+    "hot": "state contacts drag fluid spin heat energy",
+    "reacting": "state contacts drag fluid spin heat energy reactions species"
                 " feeding",
-    "dilute": "state fluid",
+    "dilute": "state drag fluid",
+    "frozenFluid": "state contacts drag spin",
     "particlesOnly": "state contacts spin",
-    "oneSpecies": "state contacts fluid species",
-    "fiveSpecies": "state contacts fluid species",
+    "oneSpecies": "state contacts drag fluid species",
+    "fiveSpecies": "state contacts drag fluid species",
 }
 
 
