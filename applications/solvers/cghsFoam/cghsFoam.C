@@ -13,6 +13,7 @@ Description
 Usage
     cghsFoam [-cloud name]
     cghsFoam -postProcess [-latestTime] [-func name]
+    cghsFoam -listModels
 
     The cloud is called parcels unless named, its properties are in
     constant/<name>Properties. With  coupling none;  there, no fluid is read
@@ -23,6 +24,7 @@ Usage
 #include "fvCFD.H"
 #include "profiling.H"
 #include "cghsCloud.H"
+#include "modelList.H"
 #include "fluidModel.H"
 #include "progress.H"
 #include "stepReport.H"
@@ -38,11 +40,29 @@ int main(int argc, char *argv[])
     );
     argList::addOption("cloud", "name", "name of the cloud, default parcels");
 
+    argList::addBoolOption
+    (
+        "listModels",
+        "list all models, with a line on each, and end"
+    );
+
     // With -postProcess: function objects on the times that are written
     #define NO_CONTROL
     #include "postProcess.H"
 
     #include "setRootCaseLists.H"
+
+    if (args.found("listModels"))
+    {
+        autoPtr<Time> librariesOfCase;
+        if (isFile(args.path()/"system"/Time::controlDictName))
+        {
+            librariesOfCase.reset(new Time(Time::controlDictName, args));
+        }
+        listModels(Info);
+        return 0;
+    }
+
     #include "createTime.H"
     #include "createMesh.H"
     #include "createTimeControls.H"

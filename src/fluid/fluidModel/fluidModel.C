@@ -16,6 +16,7 @@
 #include "fixedGradientFvPatchFields.H"
 #include "checkedEntry.H"
 #include "profiling.H"
+#include "modelList.H"
 
 namespace Foam
 {
@@ -23,6 +24,7 @@ namespace cghs
 {
     defineTypeNameAndDebug(fluidModel, 0);
     defineRunTimeSelectionTable(fluidModel, cloud);
+    describeFamily(fluidModel, "the fluid in the voidage: solution");
 
 
 static IOobject fieldIO

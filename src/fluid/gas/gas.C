@@ -15,6 +15,7 @@
 #include "sharedWeights.H"
 #include "carriedDensity.H"
 #include "checkedEntry.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -23,6 +24,12 @@ namespace cghs
 {
     defineTypeNameAndDebug(gas, 0);
     addToRunTimeSelectionTable(fluidModel, gas, cloud);
+    describeModel
+    (
+        fluidModel,
+        gas,
+        "ideal gas, isothermal or with energy and species; p in Pa"
+    );
 
 
 //- The gas of the case's dictionary. Its density is psi p, with psi that does

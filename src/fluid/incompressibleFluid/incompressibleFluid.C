@@ -10,6 +10,7 @@
 #include "adjustPhi.H"
 #include "findRefCell.H"
 #include "checkedEntry.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -18,6 +19,12 @@ namespace cghs
 {
     defineTypeNameAndDebug(incompressibleFluid, 0);
     addToRunTimeSelectionTable(fluidModel, incompressibleFluid, cloud);
+    describeModel
+    (
+        fluidModel,
+        incompressibleFluid,
+        "constant density, gas or liquid; p over the density"
+    );
 
 
 static dimensionedScalar densityOf(const dictionary& transportProperties)

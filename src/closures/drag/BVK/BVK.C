@@ -5,6 +5,7 @@
 
 #include "BVK.H"
 #include "sphereDrag.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -14,6 +15,12 @@ namespace cghs
     defineTypeNameAndDebug(BVK, 0);
     addToRunTimeSelectionTable(dragModel, BVK, dictionary);
     addToRunTimeSelectionTable(dragModel, BVK, published);
+    describeModel
+    (
+        dragModel,
+        BVK,
+        "Beetstra, van der Hoef and Kuipers 2007: lattice-Boltzmann"
+    );
 }
 }
 

@@ -7,6 +7,7 @@
 #include "sphereDrag.H"
 #include "checkedEntry.H"
 #include "knownEntries.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -16,6 +17,12 @@ namespace cghs
     defineTypeNameAndDebug(EMMS, 0);
     addToRunTimeSelectionTable(dragModel, EMMS, dictionary);
     addToRunTimeSelectionTable(dragModel, EMMS, published);
+    describeModel
+    (
+        dragModel,
+        EMMS,
+        "Wen and Yu, less what clusters take off: coarse cells"
+    );
 }
 }
 

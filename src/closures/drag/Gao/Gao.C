@@ -7,6 +7,7 @@
 #include "sphereDrag.H"
 #include "checkedEntry.H"
 #include "knownEntries.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -15,6 +16,12 @@ namespace cghs
 {
     defineTypeNameAndDebug(Gao, 0);
     addToRunTimeSelectionTable(dragModel, Gao, dictionary);
+    describeModel
+    (
+        dragModel,
+        Gao,
+        "Gao et al. 2009: turbulent beds of FCC catalyst"
+    );
 }
 }
 

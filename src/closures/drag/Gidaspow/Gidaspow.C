@@ -7,6 +7,7 @@
 #include "sphereDrag.H"
 #include "checkedEntry.H"
 #include "knownEntries.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -16,6 +17,12 @@ namespace cghs
     defineTypeNameAndDebug(Gidaspow, 0);
     addToRunTimeSelectionTable(dragModel, Gidaspow, dictionary);
     addToRunTimeSelectionTable(dragModel, Gidaspow, published);
+    describeModel
+    (
+        dragModel,
+        Gidaspow,
+        "Ergun for a voidage up to 0.8, Wen and Yu above"
+    );
 }
 }
 

@@ -5,6 +5,7 @@
 
 #include "HillKochLadd.H"
 #include "sphereDrag.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -14,6 +15,12 @@ namespace cghs
     defineTypeNameAndDebug(HillKochLadd, 0);
     addToRunTimeSelectionTable(dragModel, HillKochLadd, dictionary);
     addToRunTimeSelectionTable(dragModel, HillKochLadd, published);
+    describeModel
+    (
+        dragModel,
+        HillKochLadd,
+        "Hill, Koch and Ladd 2001, all Reynolds numbers"
+    );
 }
 }
 

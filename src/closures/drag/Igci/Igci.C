@@ -7,6 +7,7 @@
 #include "sphereDrag.H"
 #include "checkedEntry.H"
 #include "knownEntries.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -15,6 +16,12 @@ namespace cghs
 {
     defineTypeNameAndDebug(Igci, 0);
     addToRunTimeSelectionTable(dragModel, Igci, dictionary);
+    describeModel
+    (
+        dragModel,
+        Igci,
+        "Igci et al. 2012: Wen and Yu, filtered over the size of cells"
+    );
 }
 }
 

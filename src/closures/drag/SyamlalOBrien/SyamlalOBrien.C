@@ -6,6 +6,7 @@
 #include "SyamlalOBrien.H"
 #include "checkedEntry.H"
 #include "knownEntries.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -15,6 +16,12 @@ namespace cghs
     defineTypeNameAndDebug(SyamlalOBrien, 0);
     addToRunTimeSelectionTable(dragModel, SyamlalOBrien, dictionary);
     addToRunTimeSelectionTable(dragModel, SyamlalOBrien, published);
+    describeModel
+    (
+        dragModel,
+        SyamlalOBrien,
+        "from the terminal velocity of a suspension"
+    );
 }
 }
 

@@ -5,6 +5,7 @@
 
 #include "WenYu.H"
 #include "sphereDrag.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -14,6 +15,12 @@ namespace cghs
     defineTypeNameAndDebug(WenYu, 0);
     addToRunTimeSelectionTable(dragModel, WenYu, dictionary);
     addToRunTimeSelectionTable(dragModel, WenYu, published);
+    describeModel
+    (
+        dragModel,
+        WenYu,
+        "a single sphere's, times a power of the voidage"
+    );
 }
 }
 

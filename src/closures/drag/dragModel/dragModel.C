@@ -6,6 +6,7 @@
 #include "dragModel.H"
 #include "knownEntries.H"
 #include "selectModel.H"
+#include "modelList.H"
 
 namespace Foam
 {
@@ -14,6 +15,7 @@ namespace cghs
     defineTypeNameAndDebug(dragModel, 0);
     defineRunTimeSelectionTable(dragModel, dictionary);
     defineRunTimeSelectionTable(dragModel, published);
+    describeFamily(dragModel, "how the fluid drags particles: subModels");
 }
 }
 

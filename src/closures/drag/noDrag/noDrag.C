@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "noDrag.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -12,5 +13,6 @@ namespace cghs
 {
     defineTypeNameAndDebug(noDrag, 0);
     addToRunTimeSelectionTable(dragModel, noDrag, dictionary);
+    describeModel(dragModel, noDrag, "the fluid passes unfelt");
 }
 }

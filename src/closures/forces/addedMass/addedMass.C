@@ -6,6 +6,7 @@
 #include "addedMass.H"
 #include "checkedEntry.H"
 #include "knownEntries.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -14,6 +15,12 @@ namespace cghs
 {
     defineTypeNameAndDebug(addedMass, 0);
     addToRunTimeSelectionTable(forceModel, addedMass, dictionary);
+    describeModel
+    (
+        forceModel,
+        addedMass,
+        "the fluid that goes along with particles: liquids"
+    );
 }
 }
 

@@ -7,6 +7,7 @@
 #include "selectModel.H"
 #include "FlatOutput.H"
 #include "wordList.H"
+#include "modelList.H"
 
 namespace Foam
 {
@@ -14,6 +15,11 @@ namespace cghs
 {
     defineTypeNameAndDebug(forceModel, 0);
     defineRunTimeSelectionTable(forceModel, dictionary);
+    describeFamily
+    (
+        forceModel,
+        "forces beside drag: forces of subModels, any number"
+    );
 
 
 static void checkOnce(const dictionary& subModels, const wordList& names)

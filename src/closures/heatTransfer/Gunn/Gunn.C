@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "Gunn.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -12,6 +13,7 @@ namespace cghs
 {
     defineTypeNameAndDebug(Gunn, 0);
     addToRunTimeSelectionTable(heatTransferModel, Gunn, dictionary);
+    describeModel(heatTransferModel, Gunn, "suspensions and packed beds");
 }
 }
 

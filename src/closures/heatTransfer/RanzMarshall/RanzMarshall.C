@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "RanzMarshall.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -12,6 +13,7 @@ namespace cghs
 {
     defineTypeNameAndDebug(RanzMarshall, 0);
     addToRunTimeSelectionTable(heatTransferModel, RanzMarshall, dictionary);
+    describeModel(heatTransferModel, RanzMarshall, "a single sphere");
 }
 }
 

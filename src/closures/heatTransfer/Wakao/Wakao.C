@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "Wakao.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -12,6 +13,7 @@ namespace cghs
 {
     defineTypeNameAndDebug(Wakao, 0);
     addToRunTimeSelectionTable(heatTransferModel, Wakao, dictionary);
+    describeModel(heatTransferModel, Wakao, "packed beds");
 }
 }
 

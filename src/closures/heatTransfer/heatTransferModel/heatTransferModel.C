@@ -6,6 +6,7 @@
 #include "heatTransferModel.H"
 #include "knownEntries.H"
 #include "selectModel.H"
+#include "modelList.H"
 
 namespace Foam
 {
@@ -13,6 +14,11 @@ namespace cghs
 {
     defineTypeNameAndDebug(heatTransferModel, 0);
     defineRunTimeSelectionTable(heatTransferModel, dictionary);
+    describeFamily
+    (
+        heatTransferModel,
+        "convection between fluid and particles: heatCoeffs"
+    );
 }
 }
 

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "noHeatTransfer.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -12,5 +13,6 @@ namespace cghs
 {
     defineTypeNameAndDebug(noHeatTransfer, 0);
     addToRunTimeSelectionTable(heatTransferModel, noHeatTransfer, dictionary);
+    describeModel(heatTransferModel, noHeatTransfer, "no convection");
 }
 }

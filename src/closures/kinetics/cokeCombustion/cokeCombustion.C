@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "cokeCombustion.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -12,6 +13,7 @@ namespace cghs
 {
     defineTypeNameAndDebug(cokeCombustion, 0);
     addToRunTimeSelectionTable(kineticLaw, cokeCombustion, dictionary);
+    describeModel(kineticLaw, cokeCombustion, "carbon to CO and CO2");
 
 
 // r = intrinsic exp(intrinsicT/T)

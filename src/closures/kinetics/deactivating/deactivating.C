@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "deactivating.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -12,6 +13,12 @@ namespace cghs
 {
     defineTypeNameAndDebug(deactivating, 0);
     addToRunTimeSelectionTable(kineticLaw, deactivating, dictionary);
+    describeModel
+    (
+        kineticLaw,
+        deactivating,
+        "lumped, over a catalyst that cokes: methanol to olefins"
+    );
 
 
 // 1/(1 + steep exp(rise (w - middle))), w in g/100 g

@@ -6,6 +6,7 @@
 #include "ionExchange.H"
 #include "unreactedCore.H"
 #include "mathematicalConstants.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -14,6 +15,12 @@ namespace cghs
 {
     defineTypeNameAndDebug(ionExchange, 0);
     addToRunTimeSelectionTable(kineticLaw, ionExchange, dictionary);
+    describeModel
+    (
+        kineticLaw,
+        ionExchange,
+        "rare earths leached from ore by ammonium"
+    );
 
 
 // Thickness of the leached layer at the start, over the radius

@@ -6,6 +6,7 @@
 #include "FlatOutput.H"
 #include "kineticLaw.H"
 #include "selectModel.H"
+#include "modelList.H"
 
 namespace Foam
 {
@@ -13,6 +14,7 @@ namespace cghs
 {
     defineTypeNameAndDebug(kineticLaw, 0);
     defineRunTimeSelectionTable(kineticLaw, dictionary);
+    describeFamily(kineticLaw, "how fast a reaction goes: type of a reaction");
 
 
 //- The place of a name, or stop

@@ -5,6 +5,7 @@
 
 #include "massAction.H"
 #include "mathematicalConstants.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -13,6 +14,12 @@ namespace cghs
 {
     defineTypeNameAndDebug(massAction, 0);
     addToRunTimeSelectionTable(kineticLaw, massAction, dictionary);
+    describeModel
+    (
+        kineticLaw,
+        massAction,
+        "Arrhenius' law and powers of what reacts"
+    );
 
 
 //- x^n, linear where x is so small that its slope would be without bounds

@@ -7,6 +7,7 @@
 #include "unreactedCore.H"
 #include "knownEntries.H"
 #include "mathematicalConstants.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -15,6 +16,12 @@ namespace cghs
 {
     defineTypeNameAndDebug(shrinkingCore, 0);
     addToRunTimeSelectionTable(kineticLaw, shrinkingCore, dictionary);
+    describeModel
+    (
+        kineticLaw,
+        shrinkingCore,
+        "through film, ash and at the core's surface"
+    );
 
 
 // Thickness of a layer that has nothing beside it, over the radius

@@ -6,6 +6,7 @@
 #include "exchange.H"
 #include "selectModel.H"
 #include "fvMesh.H"
+#include "modelList.H"
 
 namespace Foam
 {
@@ -13,6 +14,11 @@ namespace cghs
 {
     defineTypeNameAndDebug(exchange, 0);
     defineRunTimeSelectionTable(exchange, dictionary);
+    describeFamily
+    (
+        exchange,
+        "what parcels exchange and have: exchanges of subModels, any number"
+    );
 }
 }
 

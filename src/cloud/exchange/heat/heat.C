@@ -9,6 +9,7 @@
 #include "cloudProperties.H"
 #include "knownEntries.H"
 #include "profiling.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -17,6 +18,12 @@ namespace cghs
 {
     defineTypeNameAndDebug(heat, 0);
     addToRunTimeSelectionTable(exchange, heat, dictionary);
+    describeModel
+    (
+        exchange,
+        heat,
+        "temperature, convection, conduction, radiation"
+    );
 
 } // End namespace cghs
 } // End namespace Foam

@@ -11,6 +11,7 @@
 #include "sortedIndices.H"
 #include "profiling.H"
 #include "mathematicalConstants.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -19,6 +20,12 @@ namespace cghs
 {
     defineTypeNameAndDebug(reactions, 0);
     addToRunTimeSelectionTable(exchange, reactions, dictionary);
+    describeModel
+    (
+        exchange,
+        reactions,
+        "composition, reactions with the fluid, shrinking, coke"
+    );
 
 } // End namespace cghs
 } // End namespace Foam

@@ -7,6 +7,7 @@
 #include "fvMesh.H"
 #include "knownEntries.H"
 #include "PstreamReduceOps.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -15,6 +16,12 @@ namespace cghs
 {
     defineTypeNameAndDebug(residenceTime, 0);
     addToRunTimeSelectionTable(exchange, residenceTime, dictionary);
+    describeModel
+    (
+        exchange,
+        residenceTime,
+        "how long a parcel has been in the mesh"
+    );
 }
 }
 

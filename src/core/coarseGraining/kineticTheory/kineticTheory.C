@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "kineticTheory.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -12,6 +13,12 @@ namespace cghs
 {
     defineTypeNameAndDebug(kineticTheory, 0);
     addToRunTimeSelectionTable(restitutionScaling, kineticTheory, dictionary);
+    describeModel
+    (
+        restitutionScaling,
+        kineticTheory,
+        "keeps what restitution takes (Eq 62)"
+    );
 }
 }
 

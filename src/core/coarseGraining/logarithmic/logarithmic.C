@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "logarithmic.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -12,6 +13,7 @@ namespace cghs
 {
     defineTypeNameAndDebug(logarithmic, 0);
     addToRunTimeSelectionTable(restitutionScaling, logarithmic, dictionary);
+    describeModel(restitutionScaling, logarithmic, "by Eq 57: any W");
 }
 }
 

@@ -6,6 +6,7 @@
 #include "packedLayer.H"
 #include "checkedEntry.H"
 #include "knownEntries.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 #include <cmath>
@@ -16,6 +17,12 @@ namespace cghs
 {
     defineTypeNameAndDebug(packedLayer, 0);
     addToRunTimeSelectionTable(wallDistance, packedLayer, dictionary);
+    describeModel
+    (
+        wallDistance,
+        packedLayer,
+        "nearer, as a packed bed of their particles would be"
+    );
 }
 }
 

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "parcelRadius.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -12,5 +13,6 @@ namespace cghs
 {
     defineTypeNameAndDebug(parcelRadius, 0);
     addToRunTimeSelectionTable(wallDistance, parcelRadius, dictionary);
+    describeModel(wallDistance, parcelRadius, "with their surface");
 }
 }

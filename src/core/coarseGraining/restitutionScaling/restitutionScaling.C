@@ -5,6 +5,7 @@
 
 #include "restitutionScaling.H"
 #include "selectModel.H"
+#include "modelList.H"
 
 namespace Foam
 {
@@ -12,6 +13,11 @@ namespace cghs
 {
     defineTypeNameAndDebug(restitutionScaling, 0);
     defineRunTimeSelectionTable(restitutionScaling, dictionary);
+    describeFamily
+    (
+        restitutionScaling,
+        "restitution of parcels of W particles: of a contactModel"
+    );
 }
 }
 

@@ -6,6 +6,7 @@
 #include "roughKineticTheory.H"
 #include "roughImpacts.H"
 #include "turningPoint.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -18,6 +19,12 @@ namespace cghs
         restitutionScaling,
         roughKineticTheory,
         dictionary
+    );
+    describeModel
+    (
+        restitutionScaling,
+        roughKineticTheory,
+        "keeps what restitution and friction take"
     );
 }
 }

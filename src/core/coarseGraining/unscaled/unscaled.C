@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "unscaled.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -12,6 +13,7 @@ namespace cghs
 {
     defineTypeNameAndDebug(unscaled, 0);
     addToRunTimeSelectionTable(restitutionScaling, unscaled, dictionary);
+    describeModel(restitutionScaling, unscaled, "that of the particles");
 }
 }
 

@@ -5,6 +5,7 @@
 
 #include "wallDistance.H"
 #include "selectModel.H"
+#include "modelList.H"
 
 namespace Foam
 {
@@ -12,6 +13,7 @@ namespace cghs
 {
     defineTypeNameAndDebug(wallDistance, 0);
     defineRunTimeSelectionTable(wallDistance, dictionary);
+    describeFamily(wallDistance, "how near parcels come to walls: subModels");
 }
 }
 

@@ -5,6 +5,7 @@
 
 #include "contactModel.H"
 #include "selectModel.H"
+#include "modelList.H"
 
 namespace Foam
 {
@@ -12,6 +13,7 @@ namespace cghs
 {
     defineTypeNameAndDebug(contactModel, 0);
     defineRunTimeSelectionTable(contactModel, dictionary);
+    describeFamily(contactModel, "how parcels collide: subModels");
 }
 }
 

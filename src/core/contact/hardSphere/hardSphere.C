@@ -8,6 +8,7 @@
 #include "surfaceTable.H"
 #include "frictionEntries.H"
 #include "knownEntries.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -16,6 +17,12 @@ namespace cghs
 {
     defineTypeNameAndDebug(hardSphere, 0);
     addToRunTimeSelectionTable(contactModel, hardSphere, dictionary);
+    describeModel
+    (
+        contactModel,
+        hardSphere,
+        "time-driven impacts with friction and spin, then a correction"
+    );
 
     static impactCoeffs readCoeffs(const dictionary& dict)
     {

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "noContact.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -12,5 +13,11 @@ namespace cghs
 {
     defineTypeNameAndDebug(noContact, 0);
     addToRunTimeSelectionTable(contactModel, noContact, dictionary);
+    describeModel
+    (
+        contactModel,
+        noContact,
+        "parcels pass through each other"
+    );
 }
 }

@@ -10,6 +10,7 @@
 #include "frictionEntries.H"
 #include "knownEntries.H"
 #include "mathematicalConstants.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -18,6 +19,12 @@ namespace cghs
 {
     defineTypeNameAndDebug(softSphere, 0);
     addToRunTimeSelectionTable(contactModel, softSphere, dictionary);
+    describeModel
+    (
+        contactModel,
+        softSphere,
+        "spring, dashpot and slider: the reference, in short steps"
+    );
 
     using constant::mathematical::pi;
 

@@ -7,6 +7,7 @@
 #include "knownEntries.H"
 #include "volFields.H"
 #include "PstreamReduceOps.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -15,6 +16,7 @@ namespace cghs
 {
     defineTypeNameAndDebug(pressureDrop, 0);
     addToRunTimeSelectionTable(functionObject, pressureDrop, dictionary);
+    describeFunction(pressureDrop, "between taps, with error bars");
 }
 }
 

@@ -11,6 +11,7 @@
 #include "meshNames.H"
 #include "reactions.H"
 #include "PstreamReduceOps.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -19,6 +20,11 @@ namespace cghs
 {
     defineTypeNameAndDebug(speciesBalance, 0);
     addToRunTimeSelectionTable(functionObject, speciesBalance, dictionary);
+    describeFunction
+    (
+        speciesBalance,
+        "species and elements in and out, conversion, yields"
+    );
 }
 }
 

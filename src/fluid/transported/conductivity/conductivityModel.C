@@ -5,6 +5,7 @@
 
 #include "conductivityModel.H"
 #include "selectModel.H"
+#include "modelList.H"
 
 namespace Foam
 {
@@ -12,6 +13,11 @@ namespace cghs
 {
     defineTypeNameAndDebug(conductivityModel, 0);
     defineRunTimeSelectionTable(conductivityModel, dictionary);
+    describeFamily
+    (
+        conductivityModel,
+        "how the fluid conducts heat in its voidage: energyCoeffs"
+    );
 }
 }
 

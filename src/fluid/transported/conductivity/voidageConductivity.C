@@ -6,6 +6,7 @@
 #include "voidageConductivity.H"
 #include "checkedEntry.H"
 #include "knownEntries.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -16,6 +17,12 @@ namespace conductivityModels
 {
     defineTypeNameAndDebug(voidage, 0);
     addToRunTimeSelectionTable(conductivityModel, voidage, dictionary);
+    describeModel
+    (
+        conductivityModel,
+        voidage,
+        "in proportion to the voidage, and by eddies"
+    );
 }
 }
 }

@@ -14,6 +14,7 @@
 #include "syncTools.H"
 #include "fvm.H"
 #include "fvc.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -22,6 +23,7 @@ namespace cghs
 {
     defineTypeNameAndDebug(energy, 0);
     addToRunTimeSelectionTable(transported, energy, fluid);
+    describeModel(transported, energy, "enthalpy or internal energy");
 
 
 //- Make a convection carry the same through both sides of a coupled face, the

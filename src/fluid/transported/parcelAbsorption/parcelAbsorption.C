@@ -5,6 +5,7 @@
 
 #include "parcelAbsorption.H"
 #include "parcelRadiation.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -17,6 +18,12 @@ namespace radiation
         absorptionEmissionModel,
         parcelAbsorption,
         dictionary
+    );
+    describeModel
+    (
+        absorptionEmissionModel,
+        parcelAbsorption,
+        "absorption and emission of parcels (OpenFOAM's radiation)"
     );
 }
 }

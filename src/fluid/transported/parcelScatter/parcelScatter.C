@@ -6,6 +6,7 @@
 #include "parcelScatter.H"
 #include "parcelRadiation.H"
 #include "checkedEntry.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -14,6 +15,12 @@ namespace radiation
 {
     defineTypeNameAndDebug(parcelScatter, 0);
     addToRunTimeSelectionTable(scatterModel, parcelScatter, dictionary);
+    describeModel
+    (
+        scatterModel,
+        parcelScatter,
+        "beside parcels of a long step (OpenFOAM's radiation)"
+    );
 }
 }
 

@@ -14,6 +14,7 @@
 #include "profiling.H"
 #include "fvm.H"
 #include "fvc.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 #include <algorithm>
 
@@ -23,6 +24,12 @@ namespace cghs
 {
     defineTypeNameAndDebug(species, 0);
     addToRunTimeSelectionTable(transported, species, fluid);
+    describeModel
+    (
+        transported,
+        species,
+        "mass fractions of a mixture, or dilute ones in a liquid"
+    );
 }
 }
 

@@ -7,6 +7,7 @@
 #include "selectModel.H"
 #include "fluidModel.H"
 #include "species.H"
+#include "modelList.H"
 
 namespace Foam
 {
@@ -14,6 +15,11 @@ namespace cghs
 {
     defineTypeNameAndDebug(transported, 0);
     defineRunTimeSelectionTable(transported, fluid);
+    describeFamily
+    (
+        transported,
+        "what the fluid carries: transported of solution, any number"
+    );
 }
 }
 

@@ -5,6 +5,7 @@
 
 #include "centroid.H"
 #include "fvMesh.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -13,6 +14,12 @@ namespace cghs
 {
     defineTypeNameAndDebug(centroid, 0);
     addToRunTimeSelectionTable(mappingModel, centroid, dictionary);
+    describeModel
+    (
+        mappingModel,
+        centroid,
+        "to the cell of the centre: parcels much smaller than cells"
+    );
 }
 }
 

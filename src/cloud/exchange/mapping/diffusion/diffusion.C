@@ -6,6 +6,7 @@
 #include "diffusion.H"
 #include "checkedEntry.H"
 #include "knownEntries.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -14,6 +15,12 @@ namespace cghs
 {
     defineTypeNameAndDebug(diffusion, 0);
     addToRunTimeSelectionTable(mappingModel, diffusion, dictionary);
+    describeModel
+    (
+        mappingModel,
+        diffusion,
+        "over some diameters, by diffusion: any parcels, any mesh"
+    );
 
     //- More steps than this are not taken: they would cost more than the flow
     constexpr label maxSteps = 30;

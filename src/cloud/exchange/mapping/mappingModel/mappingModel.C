@@ -5,6 +5,7 @@
 
 #include "mappingModel.H"
 #include "selectModel.H"
+#include "modelList.H"
 
 namespace Foam
 {
@@ -12,6 +13,11 @@ namespace cghs
 {
     defineTypeNameAndDebug(mappingModel, 0);
     defineRunTimeSelectionTable(mappingModel, dictionary);
+    describeFamily
+    (
+        mappingModel,
+        "how parcels are spread over the mesh: subModels"
+    );
 }
 }
 

@@ -5,6 +5,7 @@
 
 #include "feedPlace.H"
 #include "selectModel.H"
+#include "modelList.H"
 
 namespace Foam
 {
@@ -12,6 +13,11 @@ namespace cghs
 {
     defineTypeNameAndDebug(feedPlace, 0);
     defineRunTimeSelectionTable(feedPlace, dictionary);
+    describeFamily
+    (
+        feedPlace,
+        "where parcels come in: type of an entry of feeding"
+    );
 }
 }
 

@@ -9,6 +9,7 @@
 #include "meshNames.H"
 #include "meshTools.H"
 #include "triPointRef.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 #include <algorithm>
@@ -19,6 +20,7 @@ namespace cghs
 {
     defineTypeNameAndDebug(patchPlace, 0);
     addToRunTimeSelectionTable(feedPlace, patchPlace, dictionary);
+    describeModel(feedPlace, patchPlace, "through a patch");
 
     //- What random places hold in the volume that is swept [-]
     constexpr scalar randomFraction = 0.3;

@@ -10,6 +10,7 @@
 #include "indexedOctree.H"
 #include "treeDataCell.H"
 #include "PstreamReduceOps.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -18,6 +19,12 @@ namespace cghs
 {
     defineTypeNameAndDebug(pointPlace, 0);
     addToRunTimeSelectionTable(feedPlace, pointPlace, dictionary);
+    describeModel
+    (
+        feedPlace,
+        pointPlace,
+        "around points, as from a pipe that the mesh does not show"
+    );
 }
 }
 

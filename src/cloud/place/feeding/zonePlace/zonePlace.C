@@ -7,6 +7,7 @@
 #include "knownEntries.H"
 #include "meshNames.H"
 #include "meshTools.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -15,6 +16,7 @@ namespace cghs
 {
     defineTypeNameAndDebug(zonePlace, 0);
     addToRunTimeSelectionTable(feedPlace, zonePlace, dictionary);
+    describeModel(feedPlace, zonePlace, "anywhere in a cellZone");
 }
 }
 

@@ -7,6 +7,7 @@
 #include "cghsCloud.H"
 #include "exchange.H"
 #include "knownEntries.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -15,6 +16,7 @@ namespace cghs
 {
     defineTypeNameAndDebug(exchangeHistory, 0);
     addToRunTimeSelectionTable(functionObject, exchangeHistory, dictionary);
+    describeFunction(exchangeHistory, "the figures of an exchange over time");
 }
 }
 

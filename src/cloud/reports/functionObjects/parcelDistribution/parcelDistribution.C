@@ -12,6 +12,7 @@
 #include "parcelNumber.H"
 #include "windowReport.H"
 #include "PstreamReduceOps.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -24,6 +25,11 @@ namespace cghs
         functionObject,
         parcelDistribution,
         dictionary
+    );
+    describeFunction
+    (
+        parcelDistribution,
+        "how a property is distributed among parcels"
     );
 }
 }

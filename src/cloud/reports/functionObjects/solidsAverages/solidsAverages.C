@@ -10,6 +10,7 @@
 #include "knownEntries.H"
 #include "parcelNumber.H"
 #include "PstreamReduceOps.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -18,6 +19,11 @@ namespace cghs
 {
     defineTypeNameAndDebug(solidsAverages, 0);
     addToRunTimeSelectionTable(functionObject, solidsAverages, dictionary);
+    describeFunction
+    (
+        solidsAverages,
+        "means and variances of the solids, as fields"
+    );
 
 
 //- Take a sample into a mean, of which it then is this share

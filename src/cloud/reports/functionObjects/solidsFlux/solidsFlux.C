@@ -6,6 +6,7 @@
 #include "solidsFlux.H"
 #include "arena.H"
 #include "knownEntries.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -14,6 +15,11 @@ namespace cghs
 {
     defineTypeNameAndDebug(solidsFlux, 0);
     addToRunTimeSelectionTable(functionObject, solidsFlux, dictionary);
+    describeFunction
+    (
+        solidsFlux,
+        "fraction and flux of the solids now, as fields"
+    );
 } // End namespace cghs
 } // End namespace Foam
 

@@ -8,6 +8,7 @@
 #include "knownEntries.H"
 #include "meshNames.H"
 #include "PstreamReduceOps.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -16,6 +17,11 @@ namespace cghs
 {
     defineTypeNameAndDebug(solidsInventory, 0);
     addToRunTimeSelectionTable(functionObject, solidsInventory, dictionary);
+    describeFunction
+    (
+        solidsInventory,
+        "mass in the mesh and in zones, in- and outflow"
+    );
 }
 }
 

@@ -7,6 +7,7 @@
 #include "arena.H"
 #include "knownEntries.H"
 #include "PstreamReduceOps.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -15,6 +16,11 @@ namespace cghs
 {
     defineTypeNameAndDebug(solidsProfiles, 0);
     addToRunTimeSelectionTable(functionObject, solidsProfiles, dictionary);
+    describeFunction
+    (
+        solidsProfiles,
+        "means along lines, radii and heights, with error bars"
+    );
 }
 }
 

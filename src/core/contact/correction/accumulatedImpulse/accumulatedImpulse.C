@@ -7,6 +7,7 @@
 #include "frictionEntries.H"
 #include "knownEntries.H"
 #include "impulseKernels.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 #include <numeric>
@@ -17,6 +18,12 @@ namespace cghs
 {
     defineTypeNameAndDebug(accumulatedImpulse, 0);
     addToRunTimeSelectionTable(correctionModel, accumulatedImpulse, dictionary);
+    describeModel
+    (
+        correctionModel,
+        accumulatedImpulse,
+        "by contacts that remember: dense beds that rest"
+    );
 
 
     //- How fast a contact is believed to take up load from step to step: what

@@ -5,6 +5,7 @@
 
 #include "correctionModel.H"
 #include "selectModel.H"
+#include "modelList.H"
 
 namespace Foam
 {
@@ -12,6 +13,11 @@ namespace cghs
 {
     defineTypeNameAndDebug(correctionModel, 0);
     defineRunTimeSelectionTable(correctionModel, dictionary);
+    describeFamily
+    (
+        correctionModel,
+        "what parts hard spheres that overlap: hardSphereCoeffs"
+    );
 }
 }
 

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "noCorrection.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -12,5 +13,6 @@ namespace cghs
 {
     defineTypeNameAndDebug(noCorrection, 0);
     addToRunTimeSelectionTable(correctionModel, noCorrection, dictionary);
+    describeModel(correctionModel, noCorrection, "impacts alone: dilute flow");
 }
 }

@@ -7,6 +7,7 @@
 #include "hardSphereImpulse.H"
 #include "frictionEntries.H"
 #include "knownEntries.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -15,6 +16,12 @@ namespace cghs
 {
     defineTypeNameAndDebug(velocityCorrection, 0);
     addToRunTimeSelectionTable(correctionModel, velocityCorrection, dictionary);
+    describeModel
+    (
+        correctionModel,
+        velocityCorrection,
+        "the chapter's, anew in each step"
+    );
 
     // See the header
     constexpr scalar fresh = 1;

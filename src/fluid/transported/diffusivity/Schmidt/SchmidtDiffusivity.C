@@ -6,6 +6,7 @@
 #include "SchmidtDiffusivity.H"
 #include "checkedEntry.H"
 #include "knownEntries.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -16,6 +17,7 @@ namespace diffusivityModels
 {
     defineTypeNameAndDebug(Schmidt, 0);
     addToRunTimeSelectionTable(diffusivityModel, Schmidt, dictionary);
+    describeModel(diffusivityModel, Schmidt, "all alike, by a Schmidt number");
 }
 }
 }

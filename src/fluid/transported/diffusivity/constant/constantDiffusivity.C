@@ -6,6 +6,7 @@
 #include "constantDiffusivity.H"
 #include "checkedEntry.H"
 #include "knownEntries.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -16,6 +17,7 @@ namespace diffusivityModels
 {
     defineTypeNameAndDebug(constant, 0);
     addToRunTimeSelectionTable(diffusivityModel, constant, dictionary);
+    describeModel(diffusivityModel, constant, "a diffusivity for each species");
 }
 }
 }

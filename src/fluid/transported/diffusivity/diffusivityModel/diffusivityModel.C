@@ -6,6 +6,7 @@
 #include "diffusivityModel.H"
 #include "selectModel.H"
 #include "checkedEntry.H"
+#include "modelList.H"
 
 namespace Foam
 {
@@ -13,6 +14,11 @@ namespace cghs
 {
     defineTypeNameAndDebug(diffusivityModel, 0);
     defineRunTimeSelectionTable(diffusivityModel, dictionary);
+    describeFamily
+    (
+        diffusivityModel,
+        "how species diffuse in the fluid: speciesCoeffs"
+    );
 }
 }
 

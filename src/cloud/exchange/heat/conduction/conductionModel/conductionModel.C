@@ -6,6 +6,7 @@
 #include "conductionModel.H"
 #include "selectModel.H"
 #include "HashSet.H"
+#include "modelList.H"
 
 namespace Foam
 {
@@ -13,6 +14,11 @@ namespace cghs
 {
     defineTypeNameAndDebug(conductionModel, 0);
     defineRunTimeSelectionTable(conductionModel, dictionary);
+    describeFamily
+    (
+        conductionModel,
+        "heat between neighbours: conduction of heatCoeffs, any number"
+    );
 }
 }
 

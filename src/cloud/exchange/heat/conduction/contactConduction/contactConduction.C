@@ -7,6 +7,7 @@
 #include "conductionScaling.H"
 #include "checkedEntry.H"
 #include "knownEntries.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -15,6 +16,12 @@ namespace cghs
 {
     defineTypeNameAndDebug(contactConduction, 0);
     addToRunTimeSelectionTable(conductionModel, contactConduction, dictionary);
+    describeModel
+    (
+        conductionModel,
+        contactConduction,
+        "through the area in which parcels touch"
+    );
 
 
     //- A number, or one for each material

@@ -8,6 +8,7 @@
 #include "gasLens.H"
 #include "checkedEntry.H"
 #include "knownEntries.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 #include <cmath>
@@ -18,6 +19,12 @@ namespace cghs
 {
     defineTypeNameAndDebug(gasAtWalls, 0);
     addToRunTimeSelectionTable(conductionModel, gasAtWalls, dictionary);
+    describeModel
+    (
+        conductionModel,
+        gasAtWalls,
+        "through the gas between parcels and walls (Rong and Horio)"
+    );
 }
 }
 

@@ -7,6 +7,7 @@
 #include "gasLens.H"
 #include "checkedEntry.H"
 #include "knownEntries.H"
+#include "modelList.H"
 #include "addToRunTimeSelectionTable.H"
 
 #include <cmath>
@@ -17,6 +18,12 @@ namespace cghs
 {
     defineTypeNameAndDebug(gasBetween, 0);
     addToRunTimeSelectionTable(conductionModel, gasBetween, dictionary);
+    describeModel
+    (
+        conductionModel,
+        gasBetween,
+        "through the gas between two parcels (Rong and Horio)"
+    );
 }
 }
 
