@@ -27,6 +27,9 @@ cd "${PBS_O_WORKDIR:-.}" || exit 1
 # shellcheck source=/dev/null
 . "${CGHS_DIR:-$HOME/cghsFoam}/etc/openfoam" || exit 1
 
+# Debian's mpirun does not know PBS, and takes ssh to other nodes
+export FOAMRUN_LAUNCHER="mpirun --hostfile $PBS_NODEFILE"
+
 # --foreground: the signal is for foamRun alone, the ranks would die of it
 timeout --foreground --preserve-status -s USR1 23.9h \
     foamRun -np "$(wc -l < "$PBS_NODEFILE")" "$@"
